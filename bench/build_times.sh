@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # How long a newcomer waits, in a fresh clone and without a compiler cache, packages installed: wall and CPU time of
-#   the first verdicts of ./run, and ./run to its end
+#   the matrix of steps of ./run, and ./run to its end
 #   ./test to its end
 #   a change in one file of the engine, rebuilt and the engine's tests run
 # Not part of continuous integration: it compiles everything and wants a quiet machine.
@@ -34,9 +34,8 @@ for phase in "${phases[@]}"; do
       rm -rf build
       SECONDS=0
       { time ./run </dev/null 2>&1 | stamped >run.log; } 2>run.time || true
-      # The matrix of the first engines ends where the next build starts.
-      first=$(awk '/First verdicts/ {seen = 1} seen && /Building|report to look at/ {exit} seen {last = $1} END {print last}' run.log)
-      echo "./run, first verdicts: $(clock "$first") wall"
+      first=$(awk '/verdicts follow/ {print $1; exit}' run.log)
+      echo "./run, matrix of steps: $(clock "$first") wall"
       row "./run, to its end" run.time
       ;;
     test)

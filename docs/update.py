@@ -193,6 +193,15 @@ def causes(_):
     return "\n".join(lines[1:])
 
 
+def mutants(_):
+    """Of tests/mutants/deaths.txt, which mutants_tests holds against the program."""
+    lines = (root / "tests/mutants/deaths.txt").read_text().splitlines()
+    rows = [line.split("\t") for line in lines if not line.startswith("#")]
+    count = {means: sum(row[0] == means for row in rows) for means in ("own", "theory", "relations")}
+    return (f"{len(rows)} mutants: {count['own']} die of the scenes' own claims, {count['theory']} more of claims by theory, and "
+            f"{count['relations']} of shipped relations\nalone.")
+
+
 def commands(cylon):
     text = output(cylon, "--help")
     return fenced(text[text.index("Subcommands:"):])
@@ -215,6 +224,7 @@ BLOCKS = {
     "docs/commands.md": {"commands": commands},
     "docs/scenario-format.md": {"scene-keys": key_block(key_tables.scene_keys)},
     "docs/protocol.md": {"worker-keys": key_block(key_tables.worker_keys), "worker-shapes": key_block(key_tables.worker_shapes)},
+    "tests/mutants/README.md": {"counts": mutants},
     "docs/extremes.md": {"extremes": extremes, "extreme-verdicts": extreme_verdicts},
 }
 

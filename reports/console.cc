@@ -65,8 +65,10 @@ std::string run_facts(const Verdict& v, const ConsoleOptions& options) {
   for (const told::Diagnostic& d : v.diagnostics) add_line(out, "diagnostic", in_words(d), options);
   add_line(out, "sampling", v.sampling, options);
   if (v.body_steps > 0)
-    out += fmt::format("  cost: {:.3g} s of CPU, {} body steps, {:.0f} ns each\n", v.cpu_seconds,
-                       v.body_steps, v.cpu_seconds / static_cast<double>(v.body_steps) * 1e9);
+    out +=
+        fmt::format("  cost: {:.3g} s of CPU, {} body steps, {:.0f} ns each{}\n", v.cpu_seconds, v.body_steps,
+                    v.cpu_seconds / static_cast<double>(v.body_steps) * 1e9,
+                    v.cpu_verified ? "" : "; not verified: the CPU time of the process does not confirm it");
   return out;
 }
 
@@ -199,22 +201,26 @@ std::string console_matrix(const std::vector<Verdict>& verdicts, const ConsoleOp
   std::string out = draw(matrix, options);
   if (!out.empty()) out += '\n';
   out += legend(matrix, options);
+  return out + (out.empty() ? "" : "\n") + console_summary(verdicts, options);
+}
 
+std::string console_summary(const std::vector<Verdict>& verdicts, const ConsoleOptions& options) {
+  std::string out;
   const auto differs = [](const Verdict& v) { return !v.as_expected(); };
-  if (std::any_of(verdicts.begin(), verdicts.end(), differs)) out += "\nNot as expected:\n";
+  if (std::any_of(verdicts.begin(), verdicts.end(), differs)) out += "Not as expected:\n";
   const auto unforeseen = [&](const Verdict& v) { return differs(v) && v.expected_reason.empty(); };
   if (std::any_of(verdicts.begin(), verdicts.end(), unforeseen))
     out += "(without a matching row in expected.toml, pass is expected)\n";
   for (const Verdict& v : verdicts)
     if (differs(v)) out += difference(v, options);
   const auto open = [&](const Verdict& v) { return v.status == Status::undecided && !differs(v); };
-  if (std::ranges::any_of(verdicts, open)) out += "\nUndecided:\n";
+  if (std::ranges::any_of(verdicts, open)) out += out.empty() ? "Undecided:\n" : "\nUndecided:\n";
   for (const Verdict& v : verdicts)
     if (open(v)) out += difference(v, options);
 
   const std::string warnings = rescaled(verdicts) + unlisted(verdicts, options);
   if (!out.empty()) out += '\n';
-  return out + warnings + refusals(matrix, options) + summary(verdicts);
+  return out + warnings + refusals(fold(verdicts), options) + summary(verdicts);
 }
 
 }  // namespace cylon::reports

@@ -9,8 +9,11 @@
 
 namespace cylon::reports {
 
-/// Matrix, legend, every verdict that differs from expected.toml, warnings and, last, the summary.
+/// Matrix, legend, and what console_summary says.
 std::string console_matrix(const std::vector<results::Verdict>&, const ConsoleOptions&);
+
+/// Every verdict that differs from expected.toml, warnings, scenes supported and, last, the summary.
+std::string console_summary(const std::vector<results::Verdict>&, const ConsoleOptions&);
 
 /// Per scenario, engine and step a table of claims: measured, allowed, digits, status, the tolerance's
 /// reason; above it what the run was made with.

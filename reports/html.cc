@@ -3,6 +3,7 @@
 #include "reports/console.h"
 #include "reports/gzip.h"
 #include "reports/measured_tables.h"
+#include "reports/steps_tables.h"
 #include "reports/text.h"
 #include "reports/verdict_matrix.h"
 #include "reports/web_bundle.h"
@@ -78,7 +79,7 @@ std::string to_html(HtmlReport report) {
                 {"baseline", nullptr}};
   for (const Section& section : sections) index[section.key] = Json::array();
   // Moved in, because they may take much memory, and last, because an object that grows copies its values.
-  const std::string tables = measured_tables(report.documents);
+  const std::string steps = steps_tables(report.documents), tables = measured_tables(report.documents);
   index["results"] = shown(report.results);
   index["scenarios"] = std::move(report.scenarios);
   index["baseline"] = shown(report.baseline);
@@ -97,6 +98,7 @@ std::string to_html(HtmlReport report) {
       web::script_hash(), title);
   page += web::style();
   page += fmt::format("</style>\n</head>\n<body>\n<div id=\"app\">\n<h1>{}</h1>\n", title);
+  page += steps;
   if (!verdicts.empty()) page += plain_matrix(verdicts, matrix);
   page += tables + "</div>\n" + block(0, packed) + blocks + "<script>";
   page += web::script();

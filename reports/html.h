@@ -52,9 +52,9 @@ struct HtmlReport {
 /// Most that the traces of a report may take [bytes]: what is mailed stays under 15 MB.
 inline constexpr std::size_t trace_budget = std::size_t{12} << 20;
 
-/// The whole page.  Traces beyond the budget are left out and counted in the page.  The matrix of the
-/// verdicts and the scores of measured motions stand in it as plain tables too, for a reader without script.  The same report gives the same
-/// bytes.
+/// The whole page.  Traces beyond the budget are left out and counted in the page.  The matrix of steps, then that of the
+/// verdicts, and the scores of measured motions stand in it as plain tables too, for a reader without script.  The same report
+/// gives the same bytes.
 std::string to_html(HtmlReport);
 
 }  // namespace cylon::reports

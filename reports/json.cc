@@ -189,6 +189,7 @@ Verdict from_row(const Json& json, const std::string& place) {
   v.complaints = row.string("stderr");
   v.reproduce = row.string("reproduce");
   v.cpu_seconds = row.real("cpu_seconds");
+  v.cpu_verified = json.contains("cpu_verified") && row.boolean("cpu_verified");  // older rows lack it
   v.body_steps = row.integer("body_steps");
   return v;
 }
@@ -286,6 +287,7 @@ Json row(const Verdict& v) {
           {"stderr", v.complaints},
           {"reproduce", v.reproduce},
           {"cpu_seconds", number(v.cpu_seconds)},
+          {"cpu_verified", v.cpu_verified},
           {"body_steps", v.body_steps}};
 }
 

@@ -1,7 +1,6 @@
 #include "reports/measured_tables.h"
 
-#include "reports/text.h"
-#include "reports/xml.h"
+#include "reports/plain_tables.h"
 
 #include <fmt/format.h>
 
@@ -15,26 +14,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const Json& part(const Json& json, const char* key) {
-  static const Json none;
-  const auto found = json.is_object() ? json.find(key) : json.end();
-  return found == json.end() ? none : *found;
-}
-
-// The tables are for readers without script: the documents, which may be anybody's, are in the page whole.
-constexpr std::size_t most_rows = 1000, longest_text = 1000;
-
 // After `rows` rows that there are to show.
 std::string end_table(std::size_t rows) {
   const bool cut = rows > most_rows;
   return fmt::format(
       "</tbody></table>\n{}",
       cut ? fmt::format("<p>The first {} rows; the document has the others.</p>\n", most_rows) : "");
-}
-
-std::string text(const Json& json, const char* key) {
-  const Json& value = part(json, key);
-  return value.is_string() ? xml(head(value.get_ref<const std::string&>(), longest_text)) : "?";
 }
 
 std::string number(const Json& value, double scale, int digits) {

@@ -14,7 +14,7 @@ import sys
 IDENTITY = ("scenario", "engine", "path", "integrator", "dt", "claim", "observable")
 # Sentences for a reader, and what a run costs.
 TEXTS = {"unforceable", "expected_reason", "reason", "detail", "stderr", "reproduce"}
-TIMES = {"cpu_seconds"}
+TIMES = {"cpu_seconds", "cpu_verified"}
 
 
 def rows(path):

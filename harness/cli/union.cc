@@ -76,7 +76,7 @@ json reproducible(json line) {
   if (line.contains("verdicts"))
     for (json& verdict : line["verdicts"]) {
       verdict = input::parse_json(verdict.get<std::string>());
-      for (const char* other : {"cpu_seconds", "stderr", "reproduce"}) verdict.erase(other);
+      for (const char* other : {"cpu_seconds", "cpu_verified", "stderr", "reproduce"}) verdict.erase(other);
     }
   leave_out_last_words(line);
   return line;

@@ -30,10 +30,11 @@ struct Recording {
   std::vector<Event> events;
   std::optional<std::vector<Contact>> contacts;    ///< Of the last step; absent: not asked for, or not told.
   std::optional<std::vector<Reaction>> reactions;  ///< Of the joints, likewise.
-  Engine engine;                     ///< Who ran it: name, version, precision, and the integrator that ran.
-  Terms terms;                       ///< With what settings.
-  double cpu_seconds = 0;            ///< Thread CPU time of the steps alone.
-  std::vector<std::string> remarks;  ///< What the engine says that a user must know of the run.
+  Engine engine;              ///< Who ran it: name, version, precision, and the integrator that ran.
+  Terms terms;                ///< With what settings.
+  double cpu_seconds = 0;     ///< Thread CPU time of the steps alone, as the engine's process tells it.
+  bool cpu_verified = false;  ///< Whether that process's own CPU time confirms it.
+  std::vector<std::string> remarks;           ///< What the engine says that a user must know of the run.
   std::vector<told::Diagnostic> diagnostics;  ///< The same as data, from engines that tell it so.
   std::vector<Work> works;  ///< Of each force over the whole run, where the engine accounts it.
   std::string complaints;   ///< The end of what the engine wrote to stderr.

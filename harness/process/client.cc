@@ -108,6 +108,7 @@ class Recorder {
         require_ok(answer, "run");
         finish(done_from_json(answer));
         witness.require_at_most_used(times_.step_seconds);
+        recording_.cpu_verified = witness.confirms(times_.step_seconds);
         return std::move(recording_);
       }
     }

@@ -43,6 +43,11 @@ void CpuWitness::require_at_most_used(double told) const {
                        told, own));
 }
 
+bool CpuWitness::confirms(double told) const {
+  const double own = used();
+  return told <= own + of_clocks && own <= 2 * told;
+}
+
 void require_no_hidden_work(const std::vector<StepsTold>& runs, std::size_t bodies, std::int64_t steps,
                             const std::function<StepsTold(std::int64_t, Asked)>& again) {
   if (runs.empty() || steps < 2) return;

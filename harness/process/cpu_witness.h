@@ -22,6 +22,9 @@ class CpuWitness {
   double used() const;
   /// Throws Failure (protocol) where more is told [s] than its processes used meanwhile and 50 ms (ticks of the kernel).
   void require_at_most_used(double told) const;
+  /// Whether the own process used at least what is told [s], but for the 20 us between two clocks, and at most twice that.
+  /// Not in short runs, where requests and samples cost more than steps, nor where other processes work for this one.
+  bool confirms(double told) const;
 
  private:
   double now() const;

@@ -70,7 +70,8 @@ struct Verdict {
   double expected_within = 1;  ///< Factor by which `measured` may differ from it.
   std::string expected_reason;
   bool version_listed = true;  ///< Whether expected.toml knows this engine version.
-  double cpu_seconds = 0;
+  double cpu_seconds = 0;      ///< As the engine's process tells it.
+  bool cpu_verified = false;   ///< Whether that process's own CPU time confirms it.
   std::int64_t body_steps = 0;
   std::string reproduce;  ///< The command that gives this row again.
 

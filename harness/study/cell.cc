@@ -266,7 +266,9 @@ std::vector<Verdict> run(const Cell& cell, const process::Limits& limits,
     for (Verdict& row : rows) {
       if (i == 0) {
         sign(row, outcome.engine, outcome.terms, expectations);
-        if (outcome.recording) row.cpu_seconds = outcome.recording->cpu_seconds;
+        if (outcome.recording)
+          row.cpu_seconds = outcome.recording->cpu_seconds,
+          row.cpu_verified = outcome.recording->cpu_verified;
       }
       row.complaints = outcome.stderr_tail;
       if (outcome.status != results::Status::pass) row.status = outcome.status, row.detail = outcome.reason;

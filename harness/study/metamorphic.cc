@@ -86,13 +86,13 @@ std::vector<Verdict> relate(const Cell& cell, const process::Limits& limits,
     rows[i].first_bad_step = bad;
     if (bad) {  // no scene can be told from such a state, and none needs be
       rows[i].measured = std::numeric_limits<double>::quiet_NaN();
-      rows[i].cpu_seconds = plain.cpu_seconds;
+      rows[i].cpu_seconds = plain.cpu_seconds, rows[i].cpu_verified = plain.cpu_verified;
       rows[i].status = results::judge(rows[i].measured, rows[i].allowed);
       continue;
     }
     try {
       rows[i].measured = asked[i]->deviation(subject, run);
-      rows[i].cpu_seconds = plain.cpu_seconds;
+      rows[i].cpu_seconds = plain.cpu_seconds, rows[i].cpu_verified = plain.cpu_verified;
       rows[i].complaints = last.stderr_tail;
       rows[i].diagnostics = told;
       rows[i].status = results::judge(rows[i].measured, rows[i].allowed);

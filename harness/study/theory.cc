@@ -210,6 +210,7 @@ std::vector<Verdict> theorize(const Cell& cell, const process::Limits& limits,
   const Scenario cut = cut_to_theory(*cell.scenario);
   process::RunOutcome last;
   double cpu = 0;
+  bool verified = false;
   std::string sampled;
   const auto run_at = [&](int k) {
     const double dt = std::ldexp(cell.dt, -k);
@@ -221,7 +222,8 @@ std::vector<Verdict> theorize(const Cell& cell, const process::Limits& limits,
     request.steps = plan.steps, request.every = plan.every, request.at = plan.at;
     last = process::run(cell.engine, request, limits);
     if (last.status != results::Status::pass || !last.recording) throw RunFailed{last};
-    if (k == 0) cpu = last.recording->cpu_seconds, sampled = plan.text;
+    if (k == 0)
+      cpu = last.recording->cpu_seconds, verified = last.recording->cpu_verified, sampled = plan.text;
     return *last.recording;
   };
   const auto row_of = [&](const TheoryFinding& found) {
@@ -233,7 +235,7 @@ std::vector<Verdict> theorize(const Cell& cell, const process::Limits& limits,
     row.sampling = sampled;
     row.body_steps = static_cast<std::int64_t>(cut.scene.bodies.size()) *
                      static_cast<std::int64_t>(std::llround(cut.duration / cell.dt));
-    row.cpu_seconds = cpu, row.complaints = last.stderr_tail;
+    row.cpu_seconds = cpu, row.cpu_verified = verified, row.complaints = last.stderr_tail;
     sign(row, last.engine, last.terms, expectations);
     return row;
   };

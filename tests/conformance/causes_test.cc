@@ -10,9 +10,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
+#include <fstream>
 #include <map>
 #include <ostream>
+#include <regex>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -123,15 +124,18 @@ TEST_P(Causes, HaveACounterfactualForThePowerOfTheirLaw) {
   })) << cause.law;
 }
 
-TEST_P(Causes, NameTheirSource) {
+// "who: path:12 word".  Of Bullet and ODE the sources are not here; of this repository line 12 holds the word.
+TEST_P(Causes, NameALineOfTheirSource) {
+  static const std::regex form(R"((bullet|ode|in-house): ([\w./-]+\.(?:cc|cpp|h)):([1-9]\d*) (\S.*))");
   for (const std::string& place : GetParam().cause->source) {
-    const auto colon = place.find(": ");
-    ASSERT_NE(colon, std::string::npos) << place;
-    const std::string who = place.substr(0, colon), where = place.substr(colon + 2);
-    if (who == "in-house")
-      EXPECT_TRUE(std::filesystem::exists(source(where))) << place;
-    else
-      EXPECT_TRUE((who == "bullet" || who == "ode") && where.find(':') != std::string::npos) << place;
+    std::smatch part;
+    ASSERT_TRUE(std::regex_match(place, part, form)) << place;
+    if (part[1] != "in-house") continue;
+    const std::string word = part[4];
+    std::ifstream file(source(part[2]));
+    std::string line;
+    for (int number = std::stoi(part[3]); number > 0 && std::getline(file, line);) --number;
+    EXPECT_TRUE(file && line.find(word) != std::string::npos) << place << ": the line is '" << line << "'";
   }
 }
 

@@ -251,6 +251,24 @@ TEST(Console, DetailsListEveryClaimUnderItsRun) {
   EXPECT_EQ(console_details({}, plain), "");
 }
 
+TEST(Console, SaysWhichCostIsNotVerified) {
+  Verdict v = make("top", "bullet", Status::pass);
+  v.cpu_seconds = 3e-5, v.body_steps = 100;
+  const std::string label = "300 ns each; not verified";
+  EXPECT_TRUE(contains(console_details({v}, plain), label));
+  v.cpu_verified = true;
+  EXPECT_TRUE(contains(console_details({v}, plain), "300 ns each\n"));
+}
+
+TEST(Console, SummaryHasNoMatrix) {
+  const std::vector<Verdict> verdicts = {make("top", "bullet", Status::pass),
+                                         make("top", "ode", Status::fail)};
+  const std::string text = console_summary(verdicts, plain), whole = console_matrix(verdicts, plain);
+  EXPECT_TRUE(whole.ends_with("\n" + text));
+  EXPECT_FALSE(contains(text, "✓"));
+  EXPECT_TRUE(text.ends_with("0 differ\n")) << text;
+}
+
 TEST(Console, EscapesControlSequences) {
   const std::vector<std::string> hostile = {"\x1b[2J\x1b]0;owned\x07",
                                             "\x9b"

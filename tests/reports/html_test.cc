@@ -81,6 +81,51 @@ TEST(Html, MatrixIsReadableWithoutScript) {
   EXPECT_NE(page.find("<th scope=\"row\">top</th><td>✓ +1.0</td><td>✗ -1.0 !</td>"), std::string::npos);
 }
 
+json two_engines() {
+  return {{"format", "cylon-trade/1"},
+          {"times", json::array()},
+          {"tables",
+           {{{"scenario", "top"},
+             {"series",
+              {{{"engine", hostile}, {"closed_form", true}, {"points", {{{"dt", 0.1}}}}},
+               {{"engine", "ode"}, {"closed_form", false}, {"points", {{{"dt", 0.1}}, {{"dt", 0.002}}}}}}},
+             {"cells",
+              {{{"series", 0}, {"refusal", ""}, {"reach", {{{"error", 0.01}, {"point", 0}}}}},
+               {{"series", 1},
+                {"refusal", ""},
+                {"reach",
+                 {{{"error", 0.01}, {"point", 1}, {"why", ""}},
+                  {{"error", 0.001}, {"point", nullptr}, {"why", "no order"}}}}}}}}}}};
+}
+
+// Which step an engine needs stands before digits at a step.
+TEST(Html, OpensWithTheMatrixOfStepsWithoutScript) {
+  HtmlReport report;
+  report.results = RunReport{{}, {row("top", "in-house")}};
+  report.documents["trades"] = {two_engines()};
+  const std::string page = to_html(report);
+  const auto steps = page.find(
+      "<th scope=\"row\">ode</th><td>1e-02: 0.002 s</td><td>1e-03: not reached</td><td>no order</td>");
+  ASSERT_NE(steps, std::string::npos);
+  EXPECT_LT(steps, page.find("<th scope=\"row\">top</th><td>✓ +1.0</td>"));
+  EXPECT_NE(page.find("<td>1e-02: no steps</td>"), std::string::npos);
+  EXPECT_EQ(page.find("alert(1)</script>"), std::string::npos);
+  for (const json& part :
+       {json(3), json("x"), json::array({1, "y", nullptr, -1, 1e300}), json{{"a", 1}}, json()}) {
+    for (const char* key : {"series", "cells", "scenario"}) {
+      HtmlReport odd;
+      odd.documents["trades"] = {two_engines()};
+      odd.documents["trades"][0]["tables"][0][key] = part;
+      EXPECT_NE(to_html(odd).find("</html>"), std::string::npos) << part;
+      for (const char* of_cell : {"series", "refusal", "reach"}) {
+        odd.documents["trades"] = {two_engines()};
+        odd.documents["trades"][0]["tables"][0]["cells"][1][of_cell] = part;
+        EXPECT_NE(to_html(odd).find("</html>"), std::string::npos) << part;
+      }
+    }
+  }
+}
+
 TEST(Html, ScoresOfMeasuredMotionsAreReadableWithoutScript) {
   const auto estimate = [](double value) {
     return json{{"value", value}, {"low", value / 2}, {"high", 2 * value}, {"runs", 7}};

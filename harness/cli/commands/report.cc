@@ -144,7 +144,8 @@ Command add_report(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   app.add_option(
          "files", options->files,
-         "Files written by `run --json`, `run --traces`, `trade --json`, `track compare --json`, "
+         "Files written by `run --json`, `run --traces`, `matrix --json`, `trade --json`, `track compare "
+         "--json`, "
          "`track history --json`, `hunt --json`, `predict --json` and `fit --json`, in any order; - is stdin")
       ->type_name("FILE")
       ->required();

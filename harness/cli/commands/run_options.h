@@ -18,7 +18,7 @@ struct RunOptions {
   ShardOptions shard;
   int jobs = 0;
   double timeout = 60, memory = 4;
-  bool rerun_failed = false, resume = false, verbose = false, charts = false;
+  bool rerun_failed = false, resume = false, verbose = false, brief = false, charts = false;
 
   bool wants_traces() const { return charts || !html.empty() || !traces.empty() || !plots.empty(); }
 };

@@ -36,8 +36,9 @@ int exit_code(const std::vector<Verdict>& rows, bool published_differs) {
 void print(const Context& context, const RunOptions& options, const std::vector<Verdict>& rows,
            std::size_t cells) {
   const reports::ConsoleOptions style{.width = context.width, .utf8 = context.utf8, .colour = context.colour};
-  if (options.verbose || cells == 1) std::cout << reports::console_details(rows, style) << '\n';
-  std::cout << reports::console_matrix(rows, style);
+  if (options.verbose || (cells == 1 && !options.brief))
+    std::cout << reports::console_details(rows, style) << '\n';
+  std::cout << (options.brief ? reports::console_summary(rows, style) : reports::console_matrix(rows, style));
 }
 
 bool print_published(const scenario::Suite& suite, const std::vector<Verdict>& rows, bool quiet) {

@@ -12,7 +12,8 @@ inline std::string without_times(std::string text) {
   for (std::istringstream lines(std::move(text)); std::getline(lines, text);) {
     if (text.starts_with("\"provenance\"")) continue;
     const auto at = text.find("\"cpu_seconds\"");
-    kept += at == std::string::npos ? text : text.substr(0, at) + text.substr(text.find(',', at));
+    kept +=
+        at == std::string::npos ? text : text.substr(0, at) + text.substr(text.find("\"body_steps\"", at));
     kept += '\n';
   }
   return kept;

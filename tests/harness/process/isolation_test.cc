@@ -148,21 +148,37 @@ TEST(IsolationAlone, ShortRunsThatHideWorkAreRefused) {
 }
 
 // The process that the harness starts is a shell, which does next to nothing.
+EngineChoice behind_shell(EngineChoice choice) {
+  std::string line;
+  for (const std::string& word : choice.row.command) line += "'" + word + "' ";
+  choice.row.command = {"sh", "-c", line + "; exit 0"};
+  return choice;
+}
+
 TEST(IsolationAlone, WorkHiddenBehindAShellIsRefused) {
   const core::Scene scene = two_bodies();
   RunRequest request = request_of(scene, 100, 10);
   request.repetitions = 2;
-  const auto behind_shell = [](EngineChoice choice) {
-    std::string line;
-    for (const std::string& word : choice.row.command) line += "'" + word + "' ";
-    choice.row.command = {"sh", "-c", line + "; exit 0"};
-    return choice;
-  };
   const RunOutcome outcome = run(behind_shell(scripted("hides")), request, limits);
   EXPECT_EQ(outcome.status, Status::protocol);
   EXPECT_NE(outcome.reason.find("but its processes used"), std::string::npos) << outcome.reason;
   const RunOutcome good = run(behind_shell(scripted("good")), request, limits);
   EXPECT_EQ(good.status, Status::pass) << good.reason;
+}
+
+// A run of 0.2 s that tells them is confirmed.  One of 10 us is not, beside which a request costs more; nor one that hides its
+// work, nor one of a process that another one works for.  All of them pass.
+TEST(IsolationAlone, CostsThatTheProcessDoesNotConfirmAreNotVerified) {
+  const core::Scene scene = two_bodies();
+  const auto verified = [&](const EngineChoice& choice) {
+    const RunOutcome outcome = run(choice, request_of(scene, 10), limits);
+    EXPECT_EQ(outcome.status, Status::pass) << outcome.reason;
+    return outcome.recording && outcome.recording->cpu_verified;
+  };
+  EXPECT_TRUE(verified(scripted("works")));
+  EXPECT_FALSE(verified(scripted("good")));
+  EXPECT_FALSE(verified(scripted("hides")));
+  EXPECT_FALSE(verified(behind_shell(scripted("works"))));
 }
 
 TEST(IsolationAlone, NumbersThatAreNotFiniteAreAResult) {

@@ -81,15 +81,6 @@ bool Line::dies_shipped() const {
   return false;
 }
 
-Line judge_until_shipped_death(const Subject& subject) {
-  Line line = judge_one(subject);
-  for (std::size_t j = 0; j < judges().size() && !line.dies_shipped(); ++j) {
-    if (!judges()[j].shipped || line.cells[j].run) continue;
-    if (const auto findings = judges()[j].findings(subject)) line.cells[j] = cell_of(*findings);
-  }
-  return line;
-}
-
 Line judge_all(const Subject& subject) { return judged(subject, true); }
 Line judge_one(const Subject& subject) { return judged(subject, false); }
 

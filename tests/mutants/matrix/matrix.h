@@ -32,9 +32,6 @@ struct Line {
 Line judge_all(const Subject&);
 Line judge_one(const Subject&);
 
-/// Before the shipped judges, the one that was made for it first, until one accuses it.
-Line judge_until_shipped_death(const Subject&);
-
 /// The same for many, on `threads` threads, in the order of the subjects.
 std::vector<Line> judge_all(const std::vector<Subject>&, int threads);
 

@@ -47,6 +47,23 @@ test('one choice shows digits at a step', async () => {
   assert.ok(text.startsWith(digits.toFixed(1)), text);
 });
 
+test('a report opens with the steps; the digits of the verdicts are one click away', async () => {
+  run(folder, ['run', 'projectile', '--engine', 'in-house', '--engine', 'ode', '--json', 'v.json', '--traces', 't.jsonl']);
+  run(folder, ['report', 'v.json', 't.jsonl', 'm.json', '--html', 'r.html']);
+  const report = `file://${join(folder, 'r.html')}`;
+  const page = await open(report);
+  assert.deepEqual(await heads(page), ['scenario', 'ode']);
+  await page.getByRole('link', { name: /^Verdicts/ }).click();
+  await page.locator('table.matrix a[aria-label^="projectile, ode:"]').click();
+  assert.match(await page.locator('dl.facts').first().innerText(), /body-steps \(not verified\)/); // 0.8 s of 1 ms
+  await page.keyboard.press('Escape');
+  assert.ok(await page.locator('table.matrix').isVisible());
+  // A filter is one of verdicts.
+  const filtered = await open(`${report}#q=ode:pass`);
+  assert.ok(await filtered.locator('table.matrix').isVisible());
+  assert.deepEqual(page.faults, []);
+});
+
 for (const scheme of ['light', 'dark'])
   test(`axe-core finds no serious fault, ${scheme}`, async () => {
     const page = await open(url, { scheme });

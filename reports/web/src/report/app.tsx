@@ -55,7 +55,9 @@ export function App({ index }: { index: Index }) {
   const matrix = useMemo(() => fold(index.results.verdicts), [index]);
   const views = useMemo(() => new Map(index.scenarios.map((view) => [view.name, view])), [index]);
   const filled = sections.find(({ size }) => size(index) !== 0);
-  const section = sections.find((s) => s.id === address.section) ?? filled ?? sections[0]!;
+  // A filter is one of verdicts.
+  const wanted = address.section ?? (address.q === undefined && filled ? filled.id : 'matrix');
+  const section = sections.find(({ id }) => id === wanted) ?? filled ?? sections[0]!;
   const name = cellOf(address);
   const View = section.view;
   const cell = useMemo(

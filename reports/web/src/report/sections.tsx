@@ -1,4 +1,4 @@
-// The parts of the report, in their order.
+// The parts of the report, in their order.  The page opens with the first that holds anything.
 import type { ComponentType } from 'preact';
 
 import type { Index } from '../shared/documents';
@@ -21,13 +21,13 @@ export interface Section {
 const sum = (list: { length: number }[]) => list.reduce((n, { length }) => n + length, 0);
 
 export const sections: Section[] = [
-  { id: 'matrix', label: 'Verdicts', view: null, size: (index) => index.results.verdicts.length },
   {
     id: 'steps',
     label: 'Steps',
     view: StepsSection,
     size: (index) => sum(index.trades.map((t) => t.tables.filter(({ cells }) => cells))),
   },
+  { id: 'matrix', label: 'Verdicts', view: null, size: (index) => index.results.verdicts.length },
   {
     id: 'trade',
     label: 'Speed against accuracy',

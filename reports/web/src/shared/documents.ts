@@ -72,6 +72,7 @@ export interface Verdict {
   tolerance_scale: number;
   spread: number | null;
   cpu_seconds: number;
+  cpu_verified?: boolean; // whether the CPU time of the engine's process confirms it; absent in older reports
   body_steps: number;
   reproduce: string;
 }

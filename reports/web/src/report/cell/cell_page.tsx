@@ -84,7 +84,7 @@ function Reproduce({ cell }: { cell: Cell }) {
 }
 
 function back(): void {
-  go(sectionAddress(address().section ?? ''), true);
+  go(sectionAddress(address().section ?? 'matrix'), true);
 }
 
 function useEscape(): void {
@@ -143,7 +143,7 @@ export function CellPage({ index, matrix, cell, view }: CellPageProps) {
   return (
     <article class="cell-page" aria-labelledby="cell-heading">
       <p class="on-screen">
-        <a href={link(sectionAddress(address().section ?? ''))}>back to the matrix</a> <kbd>Escape</kbd>
+        <a href={link(sectionAddress(address().section ?? 'matrix'))}>back to the matrix</a> <kbd>Escape</kbd>
       </p>
       <Neighbours matrix={matrix} cell={cell} />
       <Heading cell={cell} view={view} />

@@ -21,7 +21,10 @@ const facts: [string, (v: Verdict) => string][] = [
   ['integrator', (v) => v.integrator],
   ['step', (v) => `${v.dt_text} s (${short(v.dt, 17)} s)`],
   ['sampling', (v) => v.sampling],
-  ['CPU time', (v) => `${duration(v.cpu_seconds)} for ${v.body_steps} body-steps`],
+  [
+    'CPU time',
+    (v) => `${duration(v.cpu_seconds)} for ${v.body_steps} body-steps${v.cpu_verified ? '' : ' (not verified)'}`,
+  ],
   ['scenario hash', (v) => v.scenario_hash],
 ];
 

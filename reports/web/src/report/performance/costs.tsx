@@ -17,6 +17,7 @@ function Cost({ cell }: { cell: Cell | null }) {
   return (
     <a href={link(cellAddress(cell))} class="cost">
       <span class="number">{known ? duration(first.cpu_seconds / first.body_steps) : 'not timed'}</span>{' '}
+      {known && !first.cpu_verified ? <span class="why">not verified </span> : null}
       <span class={`status ${looks[cell.worst].tone}`}>
         {looks[cell.worst].glyph}
         {won}
@@ -32,7 +33,9 @@ export function Costs({ verdicts }: { verdicts: Verdict[] }) {
     <section aria-labelledby="costs-heading">
       <h3 id="costs-heading">CPU time per body-step, with the digits of the worst claim</h3>
       <p class="note">
-        Timed once, while the verdicts were made and perhaps with other runs beside it: orders of magnitude.
+        Timed once, while the verdicts were made and perhaps with other runs beside it: orders of magnitude.{' '}
+        <em>not verified</em>: the CPU time of the engine&apos;s process does not confirm what it tells, as in
+        short runs, where requests and samples cost more than steps.
         To decide between builds there is <code>cylon track compare</code>, between engines and integrators{' '}
         <code>cylon trade</code>.
       </p>
