@@ -40,7 +40,7 @@ Real coupling(const Row& i, const Row& j, const std::vector<Body>& bodies) {
 }
 
 // Fills the spins and factors A = J M^-1 J^T.
-void Rows::measure(const std::vector<Body>& bodies, const Motion* motion) {
+void Rows::measure(const std::vector<Body>& bodies, const Motion* motion, bool closed) {
   // The rows of a joint follow one another, so that the rotation of the row before mostly serves the next too.
   struct Turned {
     int body = fixed_world;
@@ -62,7 +62,8 @@ void Rows::measure(const std::vector<Body>& bodies, const Motion* motion) {
   ends_.clear();
   for (const Row& row : rows) ends_.push_back({end(row.body), end(row.to)});
   factor_.set_pattern(ends_);
-  factor_.factor([&](std::size_t i, std::size_t j) { return coupling(rows[i], rows[j], bodies); }, dependent);
+  factor_.factor([&](std::size_t i, std::size_t j) { return coupling(rows[i], rows[j], bodies); }, dependent,
+                 closed);
 }
 
 // A lambda = -residual, lambda = 0 for dependent rows.
@@ -145,7 +146,7 @@ void Rows::project_positions(const std::vector<Body>& bodies, Motion* motion) {
 }
 
 void Rows::project_velocities(const std::vector<Body>& bodies, Motion* motion) {
-  measure(bodies, motion);
+  measure(bodies, motion, true);
   const auto speed = [&](int body, const Vector3& direction, const Vector3& spin) {
     return direction.dot(velocity(bodies[index(body)], motion[index(body)])) +
            spin.dot(motion[index(body)].angular_momentum);

@@ -59,7 +59,7 @@ class Rows {
 
   /// Finds the impulses that change each c by -change (to first order after a time h) and adds them to the
   /// momenta of `motion`, at which the rows were written and measured: a step of SHAKE's iteration.
-  void measure(const std::vector<Body>&, const Motion*);
+  void measure(const std::vector<Body>&, const Motion*, bool closed = false);
   void push(const std::vector<Real>& change, Real h, const std::vector<Body>&, Motion*);
 
   /// Takes from the loads what would change c' at once: J M^-1 load = 0.  Linear in the loads.  The rows must

@@ -1,6 +1,7 @@
 #include "engine/sparse_factor.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -35,7 +36,8 @@ std::vector<std::vector<std::size_t>> find_coupled(const std::vector<SparseFacto
 
 void SparseFactor::set_pattern(const std::vector<Ends>& ends) {
   if (ends == ends_) return;
-  ends_ = ends;
+  ends_ = ends, settled_ = 1, fresh_ = true;
+  depended_.assign(ends.size(), 0);
   const Graph coupled = find_coupled(ends);
   std::vector<std::size_t> order(ends.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -103,11 +105,29 @@ void SparseFactor::find_fill(const Graph& coupled, std::vector<std::size_t> orde
     start_.push_back(column_.size());
   }
   value_.resize(column_.size());
-  scaled_.assign(n, 0), turned_.resize(n);
+  scaled_.assign(n, 0), turned_.resize(n), share_.resize(n);
+}
+
+void SparseFactor::set_order(std::vector<std::size_t> order) {
+  find_fill(find_coupled(ends_), std::move(order));
+}
+
+// A pivot so small that it may be a dependent row's; or a small one where other rows may do for it.
+Real SparseFactor::weak_share(Real dependent) const {
+  return any_dependent_ ? Real(1) / 64 : std::sqrt(dependent);
+}
+
+std::vector<std::size_t> SparseFactor::weak_last(Real dependent) const {
+  std::vector<std::size_t> order, last;
+  for (std::size_t k = 0; k < order_.size(); ++k)
+    (value_[start_[k + 1] - 1] > 0 && share_[k] < weak_share(dependent) ? last : order).push_back(order_[k]);
+  order.insert(order.end(), last.begin(), last.end());
+  return order;
 }
 
 // L_ij = (A_ij - sum_k<j L_ik D_k L_jk)/D_j,  D_i = A_ii - sum_j<i L_ij D_j L_ij;  `scaled_` has L_ik D_k.
 void SparseFactor::eliminate(Real dependent) {
+  weakest_ = 1, any_dependent_ = false;
   for (std::size_t i = 0; i < order_.size(); ++i) {
     const std::size_t last = start_[i + 1] - 1;
     const Real whole = value_[last];
@@ -121,7 +141,12 @@ void SparseFactor::eliminate(Real dependent) {
       d -= l * scaled_[j];
     }
     for (std::size_t e = start_[i]; e < last; ++e) scaled_[column_[e]] = 0;
-    value_[last] = d > dependent * whole ? d : 0;
+    value_[last] = d > (depended_[order_[i]] ? std::sqrt(dependent) : dependent) * whole ? d : 0;
+    share_[i] = whole > 0 ? d / whole : 0;
+    if (value_[last] > 0)
+      weakest_ = std::min(weakest_, share_[i]);
+    else
+      any_dependent_ = true;
   }
 }
 

@@ -70,7 +70,7 @@ TEST_P(Sparse, SolvesAsDenseDoes) {
         [&](std::size_t i, std::size_t j) {
           return scale * a(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
         },
-        Real(1e-12));
+        Real(1e-12), true);
     Vector b = Vector::LinSpaced(a.rows(), -1, 2);
     const Vector truth = (scale * a).partialPivLu().solve(b);
     std::vector<Real> x(b.begin(), b.end());
@@ -87,10 +87,47 @@ TEST(SparseDependent, RowsGetZero) {
   const std::vector<Ends> ends(3, Ends{0, -1});
   SparseFactor factor;
   factor.set_pattern(ends);
-  factor.factor([](std::size_t, std::size_t) { return Real(2); }, Real(1e-12));
+  factor.factor([](std::size_t, std::size_t) { return Real(2); }, Real(1e-12), true);
   std::vector<Real> x = {3, 3, 3};
   factor.solve(x);
   EXPECT_EQ(x, (std::vector<Real>{Real(1.5), 0, 0}));
+}
+
+// Three directions in a plane: one, one near it, and one across.  The last two may each stand for the other: where
+// joints are closed the one that gives more digits is chosen, where they are open nothing is chosen anew.
+TEST(SparseDependent, RowsWithASmallPivotGoLast) {
+  const Real near = Real(1e-2);
+  const Vector3 rows[] = {{1, 0, 0}, {std::cos(near), std::sin(near), 0}, {0, 1, 0}};
+  const auto a = [&](std::size_t i, std::size_t j) { return rows[i].dot(rows[j]); };
+  const Vector3 wanted(Real(0.3), Real(-0.7), 0);
+  for (const bool closed : {true, false}) {
+    SparseFactor factor;
+    factor.set_pattern(std::vector<Ends>(3, Ends{0, -1}));
+    factor.factor([](std::size_t i, std::size_t j) { return Real(i == j); }, Real(1e-12), true);
+    factor.factor(a, Real(1e-12), closed);
+    std::vector<Real> x;
+    for (const Vector3& row : rows) x.push_back(row.dot(wanted));
+    factor.solve(x);
+    Vector3 given = Vector3::Zero();
+    for (std::size_t i = 0; i < 3; ++i) given += x[i] * rows[i];
+    EXPECT_LT((given - wanted).norm(), Real(1e-12)) << closed;
+    EXPECT_EQ(x[closed ? 1 : 2], 0) << closed;
+    EXPECT_NE(x[closed ? 2 : 1], 0) << closed;
+  }
+}
+
+// What the stages of a step open makes rows differ a little that say the same: that is no new condition.
+TEST(SparseDependent, RowsStaySoWhileJointsAreOpen) {
+  for (const Real open : {Real(1e-4), Real(1e-2)}) {  // sin^2: 1e-8 and 1e-4, of 1e-6
+    const Vector3 rows[] = {{1, 0, 0}, {std::cos(open), std::sin(open), 0}};
+    SparseFactor factor;
+    factor.set_pattern(std::vector<Ends>(2, Ends{0, -1}));
+    factor.factor([](std::size_t, std::size_t) { return Real(1); }, Real(1e-12), true);
+    factor.factor([&](std::size_t i, std::size_t j) { return rows[i].dot(rows[j]); }, Real(1e-12), false);
+    std::vector<Real> x = {1, 2};
+    factor.solve(x);
+    EXPECT_EQ(x[1] == 0, open < Real(1e-3));
+  }
 }
 
 TEST(SparseFill, IsLinearInTheLinksOfTrees) {
