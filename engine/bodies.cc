@@ -81,7 +81,7 @@ std::vector<Real> Bodies::initial(Time start) const {
   if (masses_.any()) y[extras_ - 1] = static_cast<Real>(start);
   std::copy(model_.motions.begin(), model_.motions.end(), motions(y.data()));
   for (std::size_t k = 0; k < turning_.size(); ++k)
-    y[angles_ + k] = model_.forces.coordinate_laws[turning_[k]].at.origin;
+    y[angles_ + k] = model_.forces.coordinate_laws[turning_[k]].at.near;
   count_turns(y.data());
   return y;
 }

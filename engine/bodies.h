@@ -79,6 +79,8 @@ class Bodies {
 
   /// Coordinates of joints that are angles are near those that y counts.
   void set_turns(const Real* y);
+  /// Of each law of the model what its angle is near to in y.
+  void read_turns(const Real* y, std::vector<Real>& turns) const;
   /// The most that a limited angle turns from one state to another [rad].
   Real most_turned(const Real* from, const Real* to) const;
 

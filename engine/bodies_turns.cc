@@ -12,6 +12,11 @@ void Bodies::set_turns(const Real* y) {
     model_.forces.coordinate_laws[turning_[k]].at.near = y[angles_ + k];
 }
 
+void Bodies::read_turns(const Real* y, std::vector<Real>& turns) const {
+  model_.forces.read_turns(turns);
+  for (std::size_t k = 0; k < turning_.size(); ++k) turns[turning_[k]] = y[angles_ + k];
+}
+
 Real Bodies::most_turned(const Real* from, const Real* to) const {
   Real most = 0;
   for (std::size_t k = 0; k < turning_.size(); ++k)

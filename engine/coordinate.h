@@ -4,6 +4,7 @@
 #include "engine/constraint.h"
 #include "engine/numbering.h"
 
+#include <optional>
 #include <vector>
 
 namespace cylon::engine {
@@ -46,6 +47,8 @@ struct Coordinate {
   Vector3 zero = Vector3::UnitY();      ///< Unit, square to the axis, axes of its carrier.
   Vector3 mark = Vector3::UnitY();      ///< Unit, axes of the other end.
   Real origin = 0;                      ///< [m, rad]
+  /// Of an angle that has turned already: what q is near to at the start [rad]; absent: near the origin.
+  std::optional<Real> start = {};
   Real near = 0;  ///< Of an angle: what q is near to now [rad]; kept by who moves bodies.
 
   void shift_anchors(int end, const Vector3& arm) {

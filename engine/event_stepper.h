@@ -62,6 +62,7 @@ class EventStepper final : public Stepper, private Holder {
 
   void step() override;
   void read(std::vector<Motion>&) const override;
+  void read_turns(std::vector<Real>& turns) const override { system_.read_turns(y_.data(), turns); }
   const std::vector<Impact>& impacts() const override { return impacts_; }
   bool struck() const override { return struck_; }
   const Real* works() const override { return account_ ? system_.works(y_.data()) : nullptr; }

@@ -338,7 +338,12 @@ Time Forces::next_kink(Time t) const {
 }
 
 void Forces::start_turns() {
-  for (CoordinateLaw& law : coordinate_laws) law.at.near = law.at.origin;
+  for (CoordinateLaw& law : coordinate_laws) law.at.near = law.at.start.value_or(law.at.origin);
+}
+
+void Forces::read_turns(std::vector<Real>& turns) const {
+  turns.clear();
+  for (const CoordinateLaw& law : coordinate_laws) turns.push_back(law.at.near);
 }
 
 void Forces::follow_turns(const std::vector<Body>& bodies, const Motion* motion, Real h) {

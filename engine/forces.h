@@ -194,6 +194,8 @@ struct Forces {
   Time next_kink(Time t) const;
   /// The angles of joints are what they are at the start.
   void start_turns();
+  /// What the coordinate of each law is near to.
+  void read_turns(std::vector<Real>&) const;
   /// The angles of joints by now, h [s] after they were last followed.
   void follow_turns(const std::vector<Body>&, const Motion*, Real h);
   /// From now on forces are those after the last kink up to t, at whatever time.

@@ -36,6 +36,9 @@ class Run {
   /// The motion now, of centres of mass.
   const std::vector<Motion>& motions() const { return motions_; }
 
+  /// What the angles of laws are near to now (Stepper::read_turns).
+  void read_turns(std::vector<Real>& turns) const { stepper_->read_turns(turns); }
+
   /// The impacts of the last step, in order of time.
   const std::vector<Impact>& impacts() const { return impacts_; }
 

@@ -19,6 +19,9 @@ class SystemStepper : public Stepper {
       : system_(std::move(system)), y_(std::move(initial)), dt_(dt), steps_(first), read_(std::move(read)) {}
 
   void read(std::vector<Motion>& motions) const final { read_(system_, y_.data(), motions); }
+  void read_turns(std::vector<Real>& turns) const final {
+    if constexpr (requires { system_.read_turns(y_.data(), turns); }) system_.read_turns(y_.data(), turns);
+  }
   std::vector<Diagnostic> diagnostics() const override {
     if constexpr (requires { system_.diagnostics(); })
       return system_.diagnostics();

@@ -27,6 +27,7 @@ class VerifiedStepper final : public Stepper {
 
   void step() override;
   void read(std::vector<Motion>& motions) const override { fine_->read(motions); }
+  void read_turns(std::vector<Real>& turns) const override { fine_->read_turns(turns); }
   const std::vector<Impact>& impacts() const override { return fine_->impacts(); }
   bool struck() const override { return fine_->struck(); }
   void keep_contacts(bool keep) override {

@@ -20,11 +20,8 @@ Model with(Model model, const Options& options) {
 }
 
 // Whether there is nothing to part: everything runs on purpose, or every body moves by itself in one run.
-// A part that begins anew does not know how many turns an angle has made.
 bool one_by_nature(const Model& model, const Options& options) {
   if (options.full || options.account) return true;
-  const auto counts_turns = [](const CoordinateLaw& law) { return law.counts_turns(); };
-  if (can_touch(model) && std::ranges::any_of(model.forces.coordinate_laws, counts_turns)) return true;
   if (!model.joints.empty() || !model.forces.only_gravity() || can_touch(model) || model.frame ||
       std::any_of(model.bodies.begin(), model.bodies.end(),
                   [](const Body& b) { return b.locked || b.mass_rate != 0; }))
@@ -44,7 +41,7 @@ World::World(Model model, const Options& options, Names names)
   if (masses_.any()) bodies_ = model_->bodies;
   if (!one_by_nature(*model_, options_)) divide();
   if (islands_.empty())
-    islands_.push_back({{}, {}, {}, {}, std::make_unique<Run>(model_, options_), false, {}});
+    islands_.push_back({{}, {}, {}, {}, {}, std::make_unique<Run>(model_, options_), false, {}});
   set_plan();
 }
 
@@ -56,6 +53,10 @@ void World::divide() {
   const std::size_t n = interactions_->clusters().size();
   if (n == 0) return;  // nothing moves
   motions_ = before_ = model_->motions;
+  Forces forces = model_->forces;
+  forces.start_turns();
+  forces.read_turns(turns_);
+  turns_before_ = turns_;
   for (std::size_t i = 0; i < motions_.size(); ++i)
     if (!model_->bodies[i].locked) movable_.push_back(i);
   if (interactions_->too_many()) {
@@ -82,7 +83,7 @@ void World::divide() {
   if (!add_flight(flying))
     for (const std::size_t c : flying) groups.push_back({c});
   std::sort(groups.begin(), groups.end());
-  for (auto& group : groups) add_island(std::move(group), motions_, 0);
+  for (auto& group : groups) add_island(std::move(group), motions_, turns_, 0);
 }
 
 bool World::add_flight(const std::vector<std::size_t>& clusters) {
@@ -92,13 +93,15 @@ bool World::add_flight(const std::vector<std::size_t>& clusters) {
   if (run->plan().path != Path::exact && run->plan().path != Path::free) return false;
   for (const std::size_t c : clusters) island_of_[c] = islands_.size();
   std::vector<std::size_t> all = movable(part.bodies);
-  islands_.push_back({clusters, std::move(part.bodies), {}, std::move(all), std::move(run), true, {}});
+  islands_.push_back({clusters, std::move(part.bodies), {}, std::move(all), {}, std::move(run), true, {}});
   return true;
 }
 
 void World::add_island(std::vector<std::size_t> clusters, const std::vector<Motion>& motions,
-                       std::int64_t first) {
+                       const std::vector<Real>& turns, std::int64_t first) {
   islands::Part part = interactions_->part(clusters, motions);
+  for (std::size_t k = 0; k < part.laws.size(); ++k)
+    part.model.forces.coordinate_laws[k].at.start = turns[index(part.laws[k])];
   Options options = options_;
   // An island of a scene that can be stepped but, by its masses, not be followed event by event.  Whether its
   // numbers are fine enough was decided at t = 0.
@@ -117,6 +120,7 @@ void World::add_island(std::vector<std::size_t> clusters, const std::vector<Moti
                       std::move(part.bodies),
                       std::move(part.planes),
                       std::move(moving),
+                      std::move(part.laws),
                       std::move(run),
                       false,
                       {}});
@@ -130,8 +134,10 @@ std::vector<std::size_t> World::movable(const std::vector<int>& bodies) const {
 }
 
 void World::step() {
-  if (watches())
+  if (watches()) {
     for (const std::size_t i : movable_) before_[i] = motions_[i];
+    turns_before_ = turns_;
+  }
   if (keeps_reactions()) last_ = motions();
   for (Island& island : islands_) island.run->step();
   ++steps_;
@@ -177,6 +183,11 @@ void World::take(const Island& island) {
     return;
   }
   const std::vector<Motion>& motions = island.run->motions();
+  if (!island.laws.empty()) {
+    std::vector<Real> turns;
+    island.run->read_turns(turns);
+    for (std::size_t k = 0; k < turns.size(); ++k) turns_[index(island.laws[k])] = turns[k];
+  }
   for (const std::size_t i : island.movable)
     if (island.left.empty() || !island.left[i]) motions_[index(island.bodies[i])] = motions[i];
   const auto numbered = [&](auto touch) {
@@ -199,9 +210,6 @@ void World::sort_impacts() {
 
 std::string World::no_kick() const {
   if (options_.account) return "works are accounted since t = 0, and a kick does work of its own";
-  if (std::ranges::any_of(model_->forces.coordinate_laws,
-                          [](const CoordinateLaw& law) { return law.counts_turns(); }))
-    return "a run that begins anew does not know how many turns an angle has made";
   return "";
 }
 
@@ -229,7 +237,7 @@ void World::kick(int body, const Vector3& impulse, const Vector3& angular_impuls
   std::vector<std::size_t> group = island.flies ? std::vector{own} : island.clusters;
   for (const std::size_t c : group) leave(c);
   looked_ = group;
-  add_island(std::move(group), motions_, steps_);
+  add_island(std::move(group), motions_, turns_, steps_);
   drop_empty();
   if (watches()) {
     find_accelerations();
@@ -245,6 +253,9 @@ void World::begin_anew(const std::vector<Motion>& motions) {
   note_end(islands_.front());
   Model model = *model_;
   model.motions = motions;
+  std::vector<Real> turns;
+  islands_.front().run->read_turns(turns);
+  for (std::size_t k = 0; k < turns.size(); ++k) model.forces.coordinate_laws[k].at.start = turns[k];
   Options options = options_;
   options.force = true;  // whether the numbers are fine enough was decided at t = 0
   islands_.front().run =

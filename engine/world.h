@@ -91,6 +91,7 @@ class World {
     std::vector<std::size_t> clusters;  // none: the island is the whole model
     std::vector<int> bodies, planes;    // of the whole model, in the order of the run's
     std::vector<std::size_t> movable;   // places in `bodies` of those that are not locked
+    std::vector<int> laws;              // on coordinates of joints, of the whole model
     std::unique_ptr<Run> run;
     bool flies = false;      // bodies that move by themselves, in one run
     std::vector<char> left;  // those that are in another island now; empty: none
@@ -103,7 +104,8 @@ class World {
   bool watches() const { return interactions_ && interactions_->may_meet(); }
   void divide();
   bool add_flight(const std::vector<std::size_t>& clusters);
-  void add_island(std::vector<std::size_t> clusters, const std::vector<Motion>&, std::int64_t first);
+  void add_island(std::vector<std::size_t> clusters, const std::vector<Motion>&,
+                  const std::vector<Real>& turns, std::int64_t first);
   void take();
   void take(const Island&);
   void sort_impacts();
@@ -143,6 +145,8 @@ class World {
   std::vector<Diagnostic> notes_, ended_;  // of the division into islands; of those that have ended
   std::size_t more_notes_ = 0, more_ended_ = 0;
   std::vector<Motion> motions_, before_;
+  std::vector<Real> turns_,
+      turns_before_;  // of each law on a coordinate, what it is near to; with motions_, before_
   std::vector<std::size_t> movable_;  // bodies that are not locked
   std::vector<Impact> impacts_;
   std::vector<Contact> contacts_;

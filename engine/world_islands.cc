@@ -21,7 +21,9 @@ void World::find_accelerations() {
   const std::size_t n = motions_.size();
   accelerations_.assign(n, 0);
   if (model_->forces.only_gravity()) return;
-  const std::vector<Load> loads = loaded(model_->forces, time(), bodies(), motions_).loads;
+  Forces forces = model_->forces;
+  for (std::size_t k = 0; k < turns_.size(); ++k) forces.coordinate_laws[k].at.near = turns_[k];
+  const std::vector<Load> loads = loaded(forces, time(), bodies(), motions_).loads;
   for (std::size_t i = 0; i < n; ++i)
     accelerations_[i] = (bodies()[i].inverse_mass * loads[i].force - model_->gravity_of(i)).norm();
 }
@@ -89,7 +91,7 @@ bool World::merge() {
     for (const std::size_t c : clusters) leave(c);
     const std::int64_t first = again ? steps_ - 1 : steps_;
     if (again) forget(clusters);
-    add_island(std::move(clusters), again ? before_ : motions_, first);
+    add_island(std::move(clusters), again ? before_ : motions_, again ? turns_before_ : turns_, first);
     Island& island = islands_.back();
     if (again) {
       island.run->step();
@@ -123,7 +125,7 @@ bool World::part() {
     if (groups.size() < 2) continue;
     for (const std::size_t c : islands_[k].clusters) leave(c);
     for (auto& group : groups) {
-      add_island(std::move(group), motions_, steps_);
+      add_island(std::move(group), motions_, turns_, steps_);
       note(DiagnosticKind::parted, steps_, islands_.back().clusters);
     }
   }

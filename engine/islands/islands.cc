@@ -4,6 +4,7 @@
 #include "engine/islands/unions.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace cylon::engine::islands {
 
@@ -235,8 +236,9 @@ Part Interactions::part(const std::vector<std::size_t>& which, const std::vector
   model.forces.gravity = model_.forces.gravity;
   std::size_t kind = 0;
   const auto add = [&](auto list) {
-    model.forces.*list =
-        picked(model_.forces.*list, listed([&](const Cluster& c) -> auto& { return c.forces[kind]; }));
+    const std::vector<int> places = listed([&](const Cluster& c) -> auto& { return c.forces[kind]; });
+    model.forces.*list = picked(model_.forces.*list, places);
+    if constexpr (std::is_same_v<decltype(list), decltype(&Forces::coordinate_laws)>) part.laws = places;
     for (auto& force : model.forces.*list) force.renumber(numbering);
     ++kind;
   };

@@ -13,6 +13,7 @@ namespace cylon::engine::islands {
 struct Part {
   Model model;
   std::vector<int> bodies, planes;
+  std::vector<int> laws;  ///< Forces::coordinate_laws.
 };
 
 /// Where a body may be until it is looked at again.

@@ -21,6 +21,7 @@ class BodyPile : public Stepper {
 
   void step() override;
   void read(std::vector<Motion>& motions) const override { motions = motions_; }
+  void read_turns(std::vector<Real>& turns) const override { model_.forces.read_turns(turns); }
   const std::vector<Impact>& impacts() const override { return impacts_; }
   std::vector<Diagnostic> diagnostics() const override;
 

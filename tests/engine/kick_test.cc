@@ -1,5 +1,5 @@
 // Kicks between steps: momenta jump by the impulses, joints answer, and the motion goes on as from that state.
-#include "tests/engine/fixtures.h"
+#include "tests/engine/rail_and_wheel.h"
 
 namespace cylon::engine {
 namespace {
@@ -92,6 +92,25 @@ TEST(Kick, LeavesOtherIslandsAlone) {
   std::size_t impacts = 0;
   for (int i = 0; i < 100; ++i) kicked.step(), impacts += kicked.impacts().size();
   EXPECT_GE(impacts, 1u);
+}
+
+// I q'' = -k q over many turns, q = W/w sin(w t): a run that begins anew goes on with the turns that there were.
+TEST(Kick, KeepsTheTurnsOfAWoundSpring) {
+  for (const char* integrator : {"auto", "rk8", "yoshida6"}) {
+    Wheel w = wheel_that_turns(40);
+    CoordinateLaw law;
+    law.at = w.angle, law.stiffness = Real(0.3);
+    w.model.forces.coordinate_laws.push_back(law);
+    const Real rate = std::sqrt(law.stiffness / w.inertia);
+    World world(w.model, with(integrator, 2e-3));
+    for (int i = 0; i < 15; ++i) {
+      world.advance(100);
+      world.kick(0, Vector3::Zero(), Vector3::Zero());
+    }
+    EXPECT_NEAR(rail_axis.dot(angular_velocity(w.model.bodies[0], world.motions()[0])),
+                40 * std::cos(rate * 3), 1e-6)
+        << integrator;
+  }
 }
 
 TEST(Kick, IsRefusedWhereARunCannotBeginAnew) {
