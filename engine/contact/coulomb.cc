@@ -126,6 +126,33 @@ VectorX least_norm(const CoulombProblem& p, const std::vector<Hold>& hold, const
   return from + basis * x;
 }
 
+// Dry friction of a coordinate that the normals which are held keep by themselves, as a stop does: its rate follows
+// from theirs, r_i = sum_j c_j n_j, so that with N the rows of these normals
+//   A_ii = A_iN A_NN^+ A_Ni.
+// Nothing says how the two share a force.  The normals take it, whose reaction has no bound: friction that took a part
+// of it would come to its bound, and end and begin to hold without end although nothing moves.  Without force here
+// (it slides nowhere); where the normals part it holds again.
+std::vector<Hold> leave_to_normals(const CoulombProblem& p, const std::vector<Hold>& hold) {
+  std::vector<Eigen::Index> normals;
+  bool dry = false;
+  for (std::size_t i = 0; i < hold.size(); ++i) {
+    if (is_dry(p, i))
+      dry = dry || hold[i].grip == Grip::sticks;
+    else if (hold[i].grip != Grip::parts)
+      normals.push_back(at(i));
+  }
+  if (!dry || normals.empty()) return hold;
+  const LeastNorm among(p.response(normals, normals), dependent_pivot());
+  std::vector<Hold> result = hold;
+  for (std::size_t i = 0; i < hold.size(); ++i) {
+    if (!is_dry(p, i) || hold[i].grip != Grip::sticks) continue;
+    const VectorX along = p.response(normals, at(i) + 1);
+    const Real own = p.response(at(i) + 1, at(i) + 1), left = own - along.dot(among.solve(along));
+    if (left <= dependent_pivot() * own) result[i] = Hold{Grip::slides};
+  }
+  return result;
+}
+
 Vector2 direction(const Vector2& u) {
   const Real length = u.norm();
   return length > 0 ? Vector2(u / length) : Vector2(Vector2::Zero());
@@ -366,7 +393,8 @@ CoulombSolution solve_scaled(const CoulombProblem& p) {
 
 }  // namespace
 
-VectorX held_force(const CoulombProblem& p, const std::vector<Hold>& hold) {
+VectorX held_force(const CoulombProblem& p, const std::vector<Hold>& decided) {
+  const std::vector<Hold> hold = leave_to_normals(p, decided);
   if (p.start.size() > 0)
     return least_norm(p, hold, VectorX::Ones(static_cast<Eigen::Index>(hold.size())), p.start);
   const Eigen::Index k = static_cast<Eigen::Index>(hold.size());
