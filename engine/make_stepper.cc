@@ -7,6 +7,7 @@
 #include "engine/free_bodies.h"
 #include "engine/free_stepper.h"
 #include "engine/modes_stepper.h"
+#include "engine/parted_steps.h"
 #include "engine/pile/pile.h"
 #include "engine/points.h"
 #include "engine/reduce.h"
@@ -74,8 +75,13 @@ std::unique_ptr<Stepper> make_bodies(const Model& model, const Plan& plan, const
 
 std::unique_ptr<Stepper> make_events(const Model& model, const Plan& plan, const Options& options,
                                      Time start) {
+  const bool adaptive = plan.integrator->kind == Kind::adaptive;
+  const std::int64_t parts = adaptive ? parts_of_step(model, options.dt) : 1;
   const auto run = [=, integrator = plan.integrator](Real tolerance) -> std::unique_ptr<Stepper> {
-    return std::make_unique<EventStepper>(model, *integrator, options.dt, tolerance, options.account, start);
+    auto events = std::make_unique<EventStepper>(model, *integrator, options.dt / static_cast<Time>(parts),
+                                                 tolerance, options.account, start);
+    if (parts == 1) return events;
+    return std::make_unique<PartedSteps>(std::move(events), parts, options.dt, start);
   };
   if (!plan.verified) return run(bound(options));
   return std::make_unique<VerifiedStepper>(run, bound(options), options.dt, model.bodies,
