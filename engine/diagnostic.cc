@@ -37,6 +37,10 @@ const std::array<DiagnosticRow, static_cast<std::size_t>(DiagnosticKind::count)>
     {K::last_not_compared, "last-not-compared", "1", "1",
      "auto: the sample at t = {since} s lies within a step of an impact: solutions at the two finest local "
      "tolerances differ by {reached} of the scales of the motion there, beside the tolerance {limit}"},
+    {K::tolerance_unknown, "tolerance-unknown", "1", "",
+     "auto: from t = {since} s on it is not known whether the tolerance {limit} is reached, nor how far the "
+     "motion is from it: the solutions left the laws of contact for a time, and two that do so alike may "
+     "agree and be wrong"},
     {K::integration_ended, "integration-ended", "", "", "integration stopped at t = {since} s: {cause}"},
     {K::switches_not_located, "switches-not-located", "switches", "",
      "from t = {since} s on a force switches on and off too often (more than {limit} times in a step): its "

@@ -28,6 +28,7 @@ enum class DiagnosticKind {
   error_not_controlled,
   tolerance_missed,
   last_not_compared,
+  tolerance_unknown,
   integration_ended,
   switches_not_located,
   series_not_ended,

@@ -187,7 +187,7 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
   for (std::size_t pass = 0; pass <= touches.size(); ++pass) {
     copy(before_, y_);
     outcome = strike(touches, model.impacts, joints, bodies, motion);
-    work_ += outcome.rounds * solution(touches.size());
+    work_ += outcome.rounds * solution(touches.size()) + outcome.operations;
     bool again = false;
     for (std::size_t i = 0; i < touches.size(); ++i) {
       const Real u = rate_now(touches[i]);
@@ -417,7 +417,9 @@ ContactForces EventStepper::find_holds(const std::vector<Spot>& touching, const 
   if (held_.empty()) guess.clear();
   const Instant instant{bodies, motion, system_.kinematics().data(), system_.loads().data(), system_.count()};
   work_ += 4 * solution(touches.size());
-  return find_contact_forces(touches, joint_rows(motion), instant, still, guess);
+  ContactForces found = find_contact_forces(touches, joint_rows(motion), instant, still, guess);
+  work_ += found.operations;
+  return found;
 }
 
 // Slip that the last event left over at a candidate.  Of surfaces all points of a body may end together; the rate of

@@ -4,15 +4,17 @@
 #include "engine/joint.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace cylon::engine {
 
 namespace {
 
-// Operations that a run may spend: so many at once, and in each step so many times what it takes to find the
+// Operations that a run may spend in each step, beside first_operations: so many times what it takes to find the
 // forces at one instant.  One is about 0.05 us.
-constexpr std::int64_t first_operations = 24'000'000, step_operations = 60;
+constexpr std::int64_t step_operations = 60;
 // Events in one step; half of them are followed as they are.  A ball that keeps 99 % of its speed bounces
 // 1400 times before its bounces end (zeno_return).
 constexpr int event_limit = 4000;
@@ -99,11 +101,11 @@ void ScaledBodies::scales(const Real* y, Real* scale) const {
 }
 
 EventStepper::EventStepper(const Model& model, const Integrator& integrator, Time dt, Real tolerance,
-                           bool account, Time start)
-    : EventStepper(reduce(model), integrator, dt, tolerance, account, start) {}
+                           bool account, Time start, std::shared_ptr<std::int64_t> reserve)
+    : EventStepper(reduce(model), integrator, dt, tolerance, account, start, std::move(reserve)) {}
 
 EventStepper::EventStepper(Reduced reduced, const Integrator& integrator, Time dt, Real tolerance,
-                           bool account, Time start)
+                           bool account, Time start, std::shared_ptr<std::int64_t> reserve)
     : system_(std::move(reduced.model), account),
       readings_(std::move(reduced.readings)),
       candidates_(find_candidates(system_.model(), numbers(readings_))),
@@ -132,7 +134,7 @@ EventStepper::EventStepper(Reduced reduced, const Integrator& integrator, Time d
       restless_(candidates_.size(), 0),
       pulls_(candidates_.size(), 0),
       stills_(system_.count(), 0),
-      allowed_(first_operations) {
+      reserve_(reserve ? std::move(reserve) : std::make_shared<std::int64_t>(first_operations)) {
   for (const Shape& shape : system_.model().shapes) reaches_.push_back(bounding_radius(shape));
   reaches_.resize(readings_.size(), 0);
   for (std::size_t i = system_.count(); i < readings_.size(); ++i)
@@ -160,7 +162,7 @@ void EventStepper::step() {
   idle_ = rough_ = 0;
   allowed_ += step_operations * (3 * static_cast<std::int64_t>(system_.count()) + solution(held_.size()));
   rounds_ = 0, marked_ = now, stride_ = first_stride * dt_;
-  if (lost_ && (operations() <= allowed_ || steps_ % resumed_steps == 0)) {
+  if (lost_ && (!is_spent() || steps_ % resumed_steps == 0)) {
     lost_ = false;
     resolve(now);
   }
@@ -169,7 +171,7 @@ void EventStepper::step() {
   // operations that are allowed come to an end the rest of the step is a few strides.
   int events = 0, pieces = 0, crawled = 0, strides = 0;
   while (now < end) {
-    if (lost_ || events >= event_limit || (operations() > allowed_ && !resting_)) {
+    if (lost_ || events >= event_limit || (!resting_ && is_spent())) {
       give_up(now, end);
       break;
     }
@@ -226,8 +228,23 @@ void EventStepper::give_up(Time now, Time end) {
 
 // Operations of a linear system of three rows a point and those of the joints.
 std::int64_t EventStepper::solution(std::size_t points) const {
-  const auto rows = static_cast<std::int64_t>(3 * points + joint_rows_);
-  return 20 + rows * rows * rows / 10;
+  return linear_operations(static_cast<std::int64_t>(3 * points + joint_rows_));
+}
+
+// Whether the operations that are allowed are spent, those of the reserve too.
+bool EventStepper::is_spent() {
+  const std::int64_t beyond = operations() - allowed_;
+  if (beyond <= 0) return false;
+  const std::int64_t drawn = std::min(beyond, *reserve_);
+  allowed_ += drawn, *reserve_ -= drawn;
+  return drawn < beyond;
+}
+
+bool EventStepper::gave_up() const {
+  using K = DiagnosticKind;
+  return std::ranges::any_of(
+      std::array{K::not_located, K::plastic, K::frictionless, K::crawled, K::changes_not_searched},
+      [&](K kind) { return log_.has(kind); });
 }
 
 std::int64_t EventStepper::operations() const {

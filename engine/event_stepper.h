@@ -16,6 +16,7 @@
 #include "engine/stepper.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 namespace cylon::engine {
@@ -51,11 +52,16 @@ class ScaledBodies {
 
 class EventStepper final : public Stepper, private Holder {
  public:
+  /// Operations that a run may spend beside those of each step.
+  static constexpr std::int64_t first_operations = 24'000'000;
+
   /// `tolerance`: per step, for adaptive integrators.  Splittings move what is free; while a contact lasts
-  /// the Runge-Kutta integrator rk8 does, for friction belongs to neither of their parts.
-  EventStepper(const Model&, const Integrator&, Time dt, Real tolerance, bool account = false,
-               Time start = 0);
-  EventStepper(Reduced, const Integrator&, Time dt, Real tolerance, bool account, Time start);
+  /// the Runge-Kutta integrator rk8 does, for friction belongs to neither of their parts.  `reserve`: what is left of
+  /// first_operations, where several runs share them; else the run has its own.
+  EventStepper(const Model&, const Integrator&, Time dt, Real tolerance, bool account = false, Time start = 0,
+               std::shared_ptr<std::int64_t> reserve = {});
+  EventStepper(Reduced, const Integrator&, Time dt, Real tolerance, bool account, Time start,
+               std::shared_ptr<std::int64_t> reserve);
   EventStepper(const EventStepper&) = delete;
   EventStepper& operator=(const EventStepper&) = delete;
   ~EventStepper() override = default;
@@ -68,7 +74,8 @@ class EventStepper final : public Stepper, private Holder {
   const Real* works() const override { return account_ ? system_.works(y_.data()) : nullptr; }
   std::vector<Diagnostic> diagnostics() const override;
   std::int64_t operations() const override;
-  bool gave_up() const override { return log_.has(DiagnosticKind::not_located); }
+  /// Whether it left the laws of contact for a time.
+  bool gave_up() const override;
 
   /// What is held now.
   const std::vector<HeldPoint>& held() const { return held_; }
@@ -107,6 +114,7 @@ class EventStepper final : public Stepper, private Holder {
   void hurry(Time now);
   void give_up(Time now, Time end);
   std::int64_t solution(std::size_t points) const;
+  bool is_spent();
   void strike_spots(Time now, std::vector<Spot>&);
   void hold_spots(Time now, const std::vector<Spot>&);
   ContactForces find_holds(const std::vector<Spot>&, const std::vector<Real>& slow,
@@ -184,9 +192,10 @@ class EventStepper final : public Stepper, private Holder {
   std::vector<Real> stills_;    // per body that a coordinate holds: slower than this it does not move [m/s]
   bool resting_ = false;        // nothing moves, and no force depends on time
   DiagnosticLog log_;
-  Time now_ = 0;           // of the last contact forces [s]
-  std::int64_t work_ = 0;  // operations beside those of integrators and passage
-  std::int64_t allowed_;   // operations that may be spent by now
+  Time now_ = 0;                           // of the last contact forces [s]
+  std::int64_t work_ = 0;                  // operations beside those of integrators and passage
+  std::int64_t allowed_ = 0;               // operations that may be spent by now
+  std::shared_ptr<std::int64_t> reserve_;  // operations that may be added to these
   std::vector<TouchPoint> touches_;
   std::vector<Holding> holdings_;
   Rows rows_;

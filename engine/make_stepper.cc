@@ -7,6 +7,7 @@
 #include "engine/free_bodies.h"
 #include "engine/free_stepper.h"
 #include "engine/modes_stepper.h"
+#include "engine/parted_steps.h"
 #include "engine/pile/pile.h"
 #include "engine/points.h"
 #include "engine/reduce.h"
@@ -14,7 +15,10 @@
 #include "engine/tops.h"
 #include "engine/verified_stepper.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <memory>
 #include <utility>
 
 namespace cylon::engine {
@@ -74,8 +78,16 @@ std::unique_ptr<Stepper> make_bodies(const Model& model, const Plan& plan, const
 
 std::unique_ptr<Stepper> make_events(const Model& model, const Plan& plan, const Options& options,
                                      Time start) {
+  const bool adaptive = plan.integrator->kind == Kind::adaptive;
+  const std::int64_t parts = adaptive ? parts_of_step(model, options.dt) : 1;
+  // All runs of one motion share what they may spend: of several bodies, what two runs need.
+  const auto moving = std::ranges::count_if(model.bodies, [](const Body& body) { return !body.locked; });
+  const auto reserve = std::make_shared<std::int64_t>((moving > 1 ? 2 : 1) * EventStepper::first_operations);
   const auto run = [=, integrator = plan.integrator](Real tolerance) -> std::unique_ptr<Stepper> {
-    return std::make_unique<EventStepper>(model, *integrator, options.dt, tolerance, options.account, start);
+    auto events = std::make_unique<EventStepper>(model, *integrator, options.dt / static_cast<Time>(parts),
+                                                 tolerance, options.account, start, reserve);
+    if (parts == 1) return events;
+    return std::make_unique<PartedSteps>(std::move(events), parts, options.dt, start);
   };
   if (!plan.verified) return run(bound(options));
   return std::make_unique<VerifiedStepper>(run, bound(options), options.dt, model.bodies,

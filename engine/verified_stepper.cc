@@ -53,18 +53,14 @@ VerifiedStepper::VerifiedStepper(MakeRun make, Real bound, Time dt, std::vector<
 }
 
 void VerifiedStepper::step() {
-  coarse_->step();
-  fine_->step();
   ++steps_;
+  fine_->step();
+  if (unknown_at_ >= 0) return;
+  coarse_->step();
   for (;;) {
     Real error = parted();
-    const bool struck = coarse_->struck() || fine_->struck();
-    if (error <= bound_ || (struck && !waiting_)) {
-      waiting_ = error > bound_;
-      last_ = error;
-      return;
-    }
-    const bool finest = tolerance_ <= least || missed_at_ >= 0 || fine_->gave_up();
+    if (compare(error)) return;
+    const bool finest = tolerance_ <= least || missed_at_ >= 0;
     if (finest || !tighten()) {
       if (ended(*fine_) && !ended(*coarse_)) {
         loosen();
@@ -75,6 +71,19 @@ void VerifiedStepper::step() {
       return;
     }
   }
+}
+
+bool VerifiedStepper::compare(Real error) {
+  const bool agree = error <= bound_, struck = coarse_->struck() || fine_->struck();
+  if (fine_->gave_up()) {
+    unknown_at_ = steps_;
+    waiting_ = false;
+    return true;
+  }
+  if (!agree && (!struck || waiting_)) return false;
+  waiting_ = !agree;
+  last_ = error;
+  return true;
 }
 
 // The largest difference between both runs, in parts of the scales of the motion so far; NaN counts as
@@ -103,20 +112,20 @@ Real VerifiedStepper::parted() {
   return std::isfinite(error) ? error : std::numeric_limits<Real>::infinity();
 }
 
-// A run from the start up to the present sample.
+// A run from the start up to the present sample, or until it gives up.
 std::unique_ptr<Stepper> VerifiedStepper::replay(Real tolerance) const {
   auto run = make_(tolerance);
   run->keep_contacts(keep_);
-  for (std::int64_t i = 0; i < steps_; ++i) run->step();
+  for (std::int64_t i = 0; i < steps_ && !run->gave_up(); ++i) run->step();
   return run;
 }
 
 // The finer run becomes the coarser one; another starts from the start at a tenth of its tolerance.  Where that one
-// ends before the sample, the two stay as they are.
+// ends before the sample, or gives up, the two stay as they are.
 bool VerifiedStepper::tighten() {
   const Real tolerance = std::max(tolerance_ / 10, least);
   auto finer = replay(tolerance);
-  if (ended(*finer) && !ended(*fine_)) {
+  if (finer->gave_up() || (ended(*finer) && !ended(*fine_))) {
     spent_ += finer->operations();
     return false;
   }
@@ -141,7 +150,9 @@ std::vector<Diagnostic> VerifiedStepper::diagnostics() const {
   const auto bound = static_cast<double>(bound_);
   if (missed_at_ >= 0)
     log.note(DiagnosticKind::tolerance_missed, at(missed_at_), bound, static_cast<double>(worst_));
-  else if (waiting_)
+  if (unknown_at_ >= 0)
+    log.note(DiagnosticKind::tolerance_unknown, at(unknown_at_), bound);
+  else if (missed_at_ < 0 && waiting_)
     log.note(DiagnosticKind::last_not_compared, at(steps_), bound, static_cast<double>(last_));
   std::vector<Diagnostic> all = log.all();
   for (Diagnostic& d : fine_->diagnostics()) all.push_back(std::move(d));

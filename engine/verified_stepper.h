@@ -15,7 +15,9 @@ using MakeRun = std::function<std::unique_ptr<Stepper>(Real local_tolerance)>;
 /// Runs at a local tolerance and, beside it, at a tenth of that.  Where their samples part by more than
 /// `bound` of the motion's scales, both tolerances fall to a tenth and the finer run starts again from its
 /// start, up to the same sample.  A sample is the finer run's, and is given out once both agree on it; at the
-/// end of what the number type can resolve, or where both runs gave up (Stepper::gave_up()), it is given out all the same, and a diagnostic says how far they part.
+/// end of what the number type can resolve it is given out all the same, and a diagnostic says how far they part.
+/// Where the finer run gave up (Stepper::gave_up()), both may agree and be wrong: nothing is known of the error from there on,
+/// a diagnostic says so, and the finer run goes on alone.  A run that is made to refine and gives up is not taken.
 /// So it is where a finer run ends before the sample, as it does where rounding leaves no step that is small enough:
 /// the two finest runs that go on are taken.
 /// A sample within a step of an impact may part by as much as the impact changes it; it is compared again one
@@ -42,6 +44,7 @@ class VerifiedStepper final : public Stepper {
 
  private:
   Real parted();
+  bool compare(Real error);  // whether the sample is given out as it is
   std::unique_ptr<Stepper> replay(Real tolerance) const;
   bool tighten();  // whether the finer run goes on
   void loosen();
@@ -56,7 +59,7 @@ class VerifiedStepper final : public Stepper {
   std::vector<Motion> coarse_motion_, fine_motion_;
   Real length_ = 0, speed_ = 0,
        turn_ = 0;  // the motion's scales so far, locked bodies included [m, m/s, rad/s]
-  std::int64_t first_, steps_ = 0, missed_at_ = -1;  // steps since the start
+  std::int64_t first_, steps_ = 0, missed_at_ = -1, unknown_at_ = -1;  // steps since the start
   Real worst_ = 0, last_ = 0;
   std::int64_t spent_ = 0;  // operations of runs that were given up
   bool waiting_ = false;    // for a sample away from an impact

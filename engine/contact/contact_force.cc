@@ -215,6 +215,7 @@ ContactForces find_contact_forces(std::span<const TouchPoint> touches, std::span
   ContactForces support = report(a, touches, solution.hold, solution.force);
   support.exact = solution.exact;
   support.violation = solution.violation;
+  support.operations = solution.operations;
   // What an even sharing would leave outside a cone is remembered as it was found.
   a.problem.start.resize(0);
   if (!solution.exact || obeys(a.problem, solution.hold, held_force(a.problem, solution.hold)))

@@ -39,7 +39,8 @@ struct ContactForces {
   VectorX multipliers;  ///< Of all rows, contacts first.
   std::vector<Row> rows;
   bool exact = true;
-  Real violation = 0;  ///< Where it is not exact: how far accelerations are from the law [m/s^2].
+  Real violation = 0;           ///< Where it is not exact: how far accelerations are from the law [m/s^2].
+  std::int64_t operations = 0;  ///< Of CoulombSolution.
 };
 
 /// The bodies at an instant: loads without contact and joint forces.

@@ -48,6 +48,13 @@ Rounding rounding(const CoulombProblem& p, const VectorX& f) {
   return r;
 }
 
+// Counts operations of what is tried beyond the first guesses.
+struct Counter {
+  std::int64_t points = 0, operations = 0;
+  void solved(std::int64_t times = 1) { operations += times * linear_operations(3 * points); }
+  void swept() { operations += sweep_operations(points); }
+};
+
 // One scale per pair, so that bodies of very unlike masses meet the same thresholds: f = S f^, A^ = S A S.
 VectorX scales(const CoulombProblem& p) {
   const std::size_t k = p.friction.size();
@@ -126,6 +133,33 @@ VectorX least_norm(const CoulombProblem& p, const std::vector<Hold>& hold, const
   return from + basis * x;
 }
 
+// Dry friction of a coordinate that the normals which are held keep by themselves, as a stop does: its rate follows
+// from theirs, r_i = sum_j c_j n_j, so that with N the rows of these normals
+//   A_ii = A_iN A_NN^+ A_Ni.
+// Nothing says how the two share a force.  The normals take it, whose reaction has no bound: friction that took a part
+// of it would come to its bound, and end and begin to hold without end although nothing moves.  Without force here
+// (it slides nowhere); where the normals part it holds again.
+std::vector<Hold> leave_to_normals(const CoulombProblem& p, const std::vector<Hold>& hold) {
+  std::vector<Eigen::Index> normals;
+  bool dry = false;
+  for (std::size_t i = 0; i < hold.size(); ++i) {
+    if (is_dry(p, i))
+      dry = dry || hold[i].grip == Grip::sticks;
+    else if (hold[i].grip != Grip::parts)
+      normals.push_back(at(i));
+  }
+  if (!dry || normals.empty()) return hold;
+  const LeastNorm among(p.response(normals, normals), dependent_pivot());
+  std::vector<Hold> result = hold;
+  for (std::size_t i = 0; i < hold.size(); ++i) {
+    if (!is_dry(p, i) || hold[i].grip != Grip::sticks) continue;
+    const VectorX along = p.response(normals, at(i) + 1);
+    const Real own = p.response(at(i) + 1, at(i) + 1), left = own - along.dot(among.solve(along));
+    if (left <= dependent_pivot() * own) result[i] = Hold{Grip::slides};
+  }
+  return result;
+}
+
 Vector2 direction(const Vector2& u) {
   const Real length = u.norm();
   return length > 0 ? Vector2(u / length) : Vector2(Vector2::Zero());
@@ -133,7 +167,7 @@ Vector2 direction(const Vector2& u) {
 
 // For points that slide in a direction that is sought, f_t + mu f_n u_t/|u_t| = 0 is solved together with the
 // rest by Newton's method, J = d(residual)/df; f is improved in place, and the directions with it.
-bool polish(const CoulombProblem& p, std::vector<Hold>& hold, VectorX& f) {
+bool polish(const CoulombProblem& p, std::vector<Hold>& hold, VectorX& f, Counter& counter) {
   const Eigen::Index size = p.offset.size();
   bool sought = false;
   for (std::size_t i = 0; i < hold.size(); ++i) {
@@ -173,6 +207,7 @@ bool polish(const CoulombProblem& p, std::vector<Hold>& hold, VectorX& f) {
       jacobian.block<2, 1>(n + 1, n) += p.friction[i] * h.slip;
       jacobian.block<2, 2>(n + 1, n + 1) += Eigen::Matrix<Real, 2, 2>::Identity();
     }
+    counter.solved();
     const VectorX change = LeastNorm(jacobian, dependent_pivot()).solve(residual);
     f -= change;
     if (!(change.norm() <= 16 * epsilon * f.norm())) continue;
@@ -183,9 +218,10 @@ bool polish(const CoulombProblem& p, std::vector<Hold>& hold, VectorX& f) {
 
 // Takes back, one by one, points that would pull; takes in those that would be entered.  Ends after a fixed
 // number of changes.
-bool choose_pressed(const CoulombProblem& p, std::vector<Hold>& hold, VectorX& f) {
+bool choose_pressed(const CoulombProblem& p, std::vector<Hold>& hold, VectorX& f, Counter& counter) {
   const std::vector<Hold> wanted = hold;
   for (std::size_t change = 0; change < 8 * hold.size() + 8; ++change) {
+    counter.solved();
     f = held_force(p, hold);
     const Rounding r = rounding(p, f);
     std::size_t worst = hold.size();
@@ -212,8 +248,9 @@ bool choose_pressed(const CoulombProblem& p, std::vector<Hold>& hold, VectorX& f
 }
 
 // Gauss-Seidel over the points, each solved exactly with the others' forces as they are.
-bool sweep(const CoulombProblem& p, int sweeps, VectorX& f, std::vector<Hold>& hold) {
+bool sweep(const CoulombProblem& p, int sweeps, VectorX& f, std::vector<Hold>& hold, Counter& counter) {
   for (int n = 0; n < sweeps; ++n) {
+    counter.swept();
     Real change = 0;
     for (std::size_t i = 0; i < hold.size(); ++i) {
       const Matrix3 a = p.response.block<3, 3>(at(i), at(i));
@@ -260,12 +297,14 @@ std::vector<Hold> read_holds(const CoulombProblem& p, const VectorX& f, Real nea
 
 // Where forces can be shared in many ways, an even sharing may lie outside the cones and another inside: from f
 // to the nearest forces that the holds allow, from there to the nearest inside the cones, and so on in turns.
-bool share_within_cones(const CoulombProblem& p, const std::vector<Hold>& hold, VectorX f, VectorX& shared) {
+bool share_within_cones(const CoulombProblem& p, const std::vector<Hold>& hold, VectorX f, VectorX& shared,
+                        Counter& counter) {
   constexpr int most_turns = 30;
   constexpr Real inner = Real(0.999);  // of the cones, so that the end is inside
   const VectorX even = VectorX::Ones(static_cast<Eigen::Index>(hold.size()));
   for (int turn = 0; turn < most_turns; ++turn) {
     bool unique = false;
+    counter.solved();
     const VectorX allowed = least_norm(p, hold, even, f, &unique);
     if (obeys(p, hold, allowed)) {
       shared = allowed;
@@ -289,18 +328,20 @@ bool share_within_cones(const CoulombProblem& p, const std::vector<Hold>& hold, 
   return false;
 }
 
-bool try_holds(const CoulombProblem& p, std::vector<Hold> hold, VectorX f, CoulombSolution& solution) {
+bool try_holds(const CoulombProblem& p, std::vector<Hold> hold, VectorX f, CoulombSolution& solution,
+               Counter& counter) {
+  counter.solved(2);
   const VectorX first = held_force(p, hold);
   if (obeys(p, hold, first)) {  // Newton's method cannot better directions of slips that are all but zero
     solution.force = first;
     solution.hold = hold;
     return true;
   }
-  if (share_within_cones(p, hold, f, solution.force)) {
+  if (share_within_cones(p, hold, f, solution.force, counter)) {
     solution.hold = hold;
     return true;
   }
-  if (!polish(p, hold, f)) return false;
+  if (!polish(p, hold, f, counter)) return false;
   const VectorX even = held_force(p, hold);
   const bool even_obeys = obeys(p, hold, even);
   if (!even_obeys && !obeys(p, hold, f)) return false;
@@ -309,7 +350,7 @@ bool try_holds(const CoulombProblem& p, std::vector<Hold> hold, VectorX f, Coulo
   return true;
 }
 
-CoulombSolution solve_scaled(const CoulombProblem& p) {
+CoulombSolution solve_scaled(const CoulombProblem& p, Counter& counter) {
   CoulombSolution solution;
   solution.hold = p.hold;
   for (std::size_t i = 0; i < p.hold.size(); ++i) {
@@ -318,7 +359,8 @@ CoulombSolution solve_scaled(const CoulombProblem& p) {
   // First guess: all that touches holds.
   std::vector<Hold> hold = solution.hold;
   VectorX f;
-  solution.exact = choose_pressed(p, hold, f) && obeys(p, hold, f);
+  Counter first = counter;
+  solution.exact = choose_pressed(p, hold, f, first) && obeys(p, hold, f);
   if (solution.exact) {
     solution.force = f;
     solution.hold = hold;
@@ -336,8 +378,8 @@ CoulombSolution solve_scaled(const CoulombProblem& p) {
       loose[i].slip = -direction(pull);
     }
     for (int turn = 0; turn < 8; ++turn) {
-      if (!choose_pressed(p, loose, force)) break;
-      solution.exact = try_holds(p, loose, force, solution);
+      if (!choose_pressed(p, loose, force, counter)) break;
+      solution.exact = try_holds(p, loose, force, solution, counter);
       if (solution.exact) return solution;
       const VectorX u = p.response * force + p.offset;
       for (std::size_t i = 0; i < loose.size(); ++i) {
@@ -350,10 +392,10 @@ CoulombSolution solve_scaled(const CoulombProblem& p) {
   VectorX swept = VectorX::Zero(p.offset.size());
   for (const int sweeps : {40, 200, 1000, 4000}) {
     if (sweeps > p.most_sweeps) break;
-    const bool settled = sweep(p, sweeps, swept, solution.hold);
+    const bool settled = sweep(p, sweeps, swept, solution.hold, counter);
     for (const Real nearly : {Real(1e-3), Real(1e-5), std::sqrt(epsilon), std::pow(epsilon, Real(0.75))}) {
       for (const bool press : {true, false}) {
-        solution.exact = try_holds(p, read_holds(p, swept, nearly, press), swept, solution);
+        solution.exact = try_holds(p, read_holds(p, swept, nearly, press), swept, solution, counter);
         if (solution.exact) return solution;
       }
     }
@@ -366,7 +408,8 @@ CoulombSolution solve_scaled(const CoulombProblem& p) {
 
 }  // namespace
 
-VectorX held_force(const CoulombProblem& p, const std::vector<Hold>& hold) {
+VectorX held_force(const CoulombProblem& p, const std::vector<Hold>& decided) {
+  const std::vector<Hold> hold = leave_to_normals(p, decided);
   if (p.start.size() > 0)
     return least_norm(p, hold, VectorX::Ones(static_cast<Eigen::Index>(hold.size())), p.start);
   const Eigen::Index k = static_cast<Eigen::Index>(hold.size());
@@ -454,6 +497,7 @@ CoulombSolution solve(const CoulombProblem& p) {
   scaled.offset = s.cwiseProduct(p.offset);
   for (std::size_t i = 0; i < p.bound.size(); ++i) scaled.bound[i] /= s[at(i)];
   scaled.start.resize(0);
+  Counter counter{static_cast<std::int64_t>(p.friction.size())};
   if (!p.guess.empty()) {
     CoulombSolution guessed;
     for (const bool from_start : {false, true}) {
@@ -471,14 +515,15 @@ CoulombSolution solve(const CoulombProblem& p) {
     const bool seeks = std::any_of(p.guess.begin(), p.guess.end(), [](const Hold& h) {
       return h.grip == Grip::slides && !h.given && !h.slip.isZero(0);
     });
-    if (seeks && try_holds(scaled, p.guess, held_force(scaled, p.guess), guessed)) {
+    if (seeks && try_holds(scaled, p.guess, held_force(scaled, p.guess), guessed, counter)) {
       guessed.exact = true;
       guessed.force = s.cwiseProduct(guessed.force);
       guessed.rate = p.response * guessed.force + p.offset;
       return guessed;
     }
   }
-  CoulombSolution solution = solve_scaled(scaled);
+  CoulombSolution solution = solve_scaled(scaled, counter);
+  solution.operations = counter.operations;
   solution.force = s.cwiseProduct(solution.force);
   solution.rate = p.response * solution.force + p.offset;
   if (!solution.exact) solution.violation = violation(p, solution.force);

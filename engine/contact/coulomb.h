@@ -14,6 +14,7 @@
 #include "engine/vector.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace cylon::engine {
@@ -53,6 +54,7 @@ struct CoulombSolution {
   std::vector<Hold> hold;  ///< What was found.
   bool exact = false;      ///< Obeys the law to rounding; otherwise as near as the iteration came:
   Real violation = 0;      ///< violation() of the force where it is not exact.
+  std::int64_t operations = 0;  ///< What it took beyond the first guesses, as Stepper::operations() counts.
 };
 
 /// The force for holds that are decided: u = 0 where it sticks, u_n = 0 and f_t = -mu f_n d where it slides;
@@ -71,6 +73,11 @@ CoulombSolution solve(const CoulombProblem&);
 ///   f_n = max(0, f_n - u_n/A_nn),   f_t = f_t - u_t/A_tt, cut to mu f_n.
 /// Bounded work for any problem; near the law, not exact.
 VectorX relaxed_force(const CoulombProblem&, int rounds);
+
+/// Operations of the linear equations of so many rows, and of one round over so many points, as Stepper::operations()
+/// counts them: about 0.05 us each.
+constexpr std::int64_t linear_operations(std::int64_t rows) { return 20 + rows * rows * rows / 10; }
+constexpr std::int64_t sweep_operations(std::int64_t points) { return 30 * points; }
 
 /// Whether the force obeys the law for these holds, to rounding.
 bool obeys(const CoulombProblem&, const std::vector<Hold>&, const VectorX& force);

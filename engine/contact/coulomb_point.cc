@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace cylon::engine {
 
@@ -74,7 +75,15 @@ PointForce solve_point(const Matrix3& a, const Vector3& q, Real mu, const Hold& 
     const Vector2 d = turned_by(first, angle);
     return cross(d, sliding.slip(d));
   };
-  const auto possible = [&](Real angle) { return sliding.normal(turned_by(first, angle)) >= 0; };
+  // What the edge of a sector shows; no normal force goes with some directions.
+  struct Edge {
+    Real angle = 0, miss = 0;
+    bool possible = false;
+  };
+  const auto edge = [&](Real angle) {
+    const Vector2 d = turned_by(first, angle);
+    return Edge{angle, cross(d, sliding.slip(d)), sliding.normal(d) >= 0};
+  };
 
   bool any = false;
   Real best = 0;
@@ -90,17 +99,18 @@ PointForce solve_point(const Matrix3& a, const Vector3& q, Real mu, const Hold& 
     result.hold.slip = d;
   };
   const Real sector = 2 * std::numbers::pi_v<Real> / sectors;
+  Edge low = edge(-sector / 2);
   for (int i = 0; i < sectors; ++i) {
-    const Real low = (static_cast<Real>(i) - Real(0.5)) * sector, high = low + sector;
-    if (!possible(low) || !possible(high)) continue;
-    const Real m_low = miss(low), m_high = miss(high), middle = low + sector / 2;
-    if (i == 0 && miss(0) == 0) offer(0);
-    if (m_low * m_high <= 0) offer(root(miss, low, m_low, high, m_high));
-    if (i == 0 && possible(middle)) {
-      if (m_low * miss(0) < 0 && miss(0) * m_high < 0) {  // two more roots in the sector of the first guess
-        offer(root(miss, low, m_low, Real(0), miss(0)));
-        offer(root(miss, Real(0), miss(0), high, m_high));
-      }
+    const Edge high = edge((static_cast<Real>(i) + Real(0.5)) * sector);
+    const Edge begin = std::exchange(low, high);
+    if (!begin.possible || !high.possible) continue;
+    const Edge middle = i == 0 ? edge(0) : Edge{};  // in the direction of the first guess
+    if (i == 0 && middle.miss == 0) offer(0);
+    if (begin.miss * high.miss <= 0) offer(root(miss, begin.angle, begin.miss, high.angle, high.miss));
+    if (i > 0 || !middle.possible) continue;
+    if (begin.miss * middle.miss < 0 && middle.miss * high.miss < 0) {  // two more roots in this sector
+      offer(root(miss, begin.angle, begin.miss, Real(0), middle.miss));
+      offer(root(miss, Real(0), middle.miss, high.angle, high.miss));
     }
   }
   if (!any) {

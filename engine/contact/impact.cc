@@ -87,12 +87,14 @@ ImpactOutcome strike_at_once(std::span<const TouchPoint> touches, std::span<cons
   outcome.exact = solution.exact;
   outcome.violation = solution.violation;
   outcome.rounds = 1;
+  outcome.operations = solution.operations;
   const Real terms = impulse.cwiseAbs().dot(before.cwiseAbs() + (response.matrix() * impulse).cwiseAbs());
   if (bounces && energy_made(response.matrix(), before, impulse) > 64 * epsilon * terms) {
     CoulombProblem without = problem;
     without.offset = before;
     without.guess.clear();
     const CoulombSolution plastic = solve(without);
+    outcome.operations += plastic.operations;
     outcome.exact = outcome.exact && plastic.exact;
     outcome.violation = std::max(outcome.violation, plastic.violation);
     const VectorX difference = impulse - plastic.force;
@@ -156,6 +158,7 @@ ImpactOutcome strike(std::span<const TouchPoint> touches, Impacts impacts, std::
     outcome.exact = outcome.exact && part.exact;
     outcome.violation = std::max(outcome.violation, part.violation);
     ++outcome.rounds;
+    outcome.operations += part.operations;
   };
 
   std::vector<std::size_t> members;

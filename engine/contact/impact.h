@@ -22,10 +22,11 @@ namespace cylon::engine {
 struct ImpactOutcome {
   std::vector<Vector3> impulse;  ///< On `body` of each point, sum over the instant, world axes [N s].
   std::vector<Real> approach;  ///< Of each point: the largest -u_n that it was struck with [m/s]; 0 if never.
-  int rounds = 0;              ///< Groups that were solved.
-  bool exact = true;           ///< Every group obeys the law to rounding; else
-  Real violation = 0;          ///< by how much the worst does not [m/s].
-  bool ended = true;           ///< Sequential: nothing approached before the rounds were over.
+  int rounds = 0;              ///< Groups that were solved,
+  std::int64_t operations = 0;  ///< and what that took of CoulombSolution::operations.
+  bool exact = true;            ///< Every group obeys the law to rounding; else
+  Real violation = 0;           ///< by how much the worst does not [m/s].
+  bool ended = true;            ///< Sequential: nothing approached before the rounds were over.
 };
 
 /// All the points at once.  `joints` keep their rates through the impact.  `memory`: how such an impact held

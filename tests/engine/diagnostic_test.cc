@@ -88,6 +88,12 @@ const std::vector<Provoked> provoked = {
        return said(forced_bodies(), options, 50);
      }},
     {K::last_not_compared, 0.03, of_impact_at_the_end},
+    {K::tolerance_unknown, 1,
+     [] {
+       Options options = with("auto", 0.01);
+       options.path = "events";
+       return said(jamming_rod(), options, 100);
+     }},
     {K::integration_ended, 4, [] { return said(falling_together(), with("dop853", 0.1), 40); }},
     {K::switches_not_located, 30, [] { return said(at_the_surface(Real(0.01)), with("dop853", 10), 3); }},
     {K::series_not_ended, 1,

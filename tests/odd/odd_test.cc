@@ -39,6 +39,7 @@ struct Odd {
   friend std::ostream& operator<<(std::ostream& out, const Odd& odd) { return out << odd.name; }
 };
 
+constexpr const char* unknown = "it is not known whether the tolerance";
 constexpr const char* not_followed = "had more events than are followed";
 
 // Ball that rolls on two lines of contact at the distance a below its centre, from the speed v of sliding:
@@ -271,7 +272,7 @@ const std::vector<Odd> all = {
     {"five_balls", 3e8, "late", {{0, What::position, 1, 0.5, 1e-6}}},
     {"hull_on_box", 1.5e7, "", {{1, What::velocity, 1, 0, 1e-9}}},
     {"hull_on_plane", 6e6, "", {{0, What::velocity, 1, 0, 1e-9}}},
-    {"tetrahedron_on_box", 5e6, "iteratively", {{1, What::position, 1, 0.75, 1e-9}}},
+    {"tetrahedron_on_box", 4e7, "iteratively", {{1, What::position, 1, 0.75, 1e-9}}},
     {"capsule_on_box", 1.5e7, "", {{1, What::position, 1, 0.7, 1e-9}}},
     {"box_on_box", 6e6, "", {{1, What::position, 1, 0.7, 1e-9}}},
     {"box_on_plane", 5e6, "", {{0, What::position, 1, 0.2, 1e-9}}},
@@ -287,9 +288,9 @@ const std::vector<Odd> all = {
     {"box_over_seams_rough", 0, stepped, {{0, What::position, 0, slides_to(2), 0.01}}, "stepping"},
     {"box_over_unequal_seams", 1e8, "", {{0, What::position, 0, 6.2, 1e-9}, {0, What::velocity, 0, 3, 1e-9}}},
     {"box_over_unequal_seams", 0, stepped, {{0, What::position, 0, 6.2, 1e-9}}, "stepping"},
-    {"ball_over_seams", 1e8, "", {{0, What::velocity, 0, 3, 1e-9}, {0, What::position, 1, 0.25, 1e-9}}},
+    {"ball_over_seams", 1e8, unknown, {{0, What::velocity, 0, 3, 1e-9}, {0, What::position, 1, 0.25, 1e-9}}},
     {"ball_over_seams", 0, stepped, {{0, What::velocity, 0, 3, 1e-9}}, "stepping"},
-    {"ball_over_seams_smooth", 1e8, "", {{0, What::velocity, 0, 3, 1e-9}}},
+    {"ball_over_seams_smooth", 1e8, unknown, {{0, What::velocity, 0, 3, 1e-9}}},
     {"ball_over_seams_smooth", 0, stepped, {{0, What::velocity, 0, 3, 1e-9}}, "stepping"},
     // What does stand in the way.
     {"box_against_a_step", 1e8, "", {{0, What::velocity, 0, 0, 2.5}}},
@@ -300,8 +301,14 @@ const std::vector<Odd> all = {
     {"stops_for_a_moment", 1e7, "", {{0, What::velocity, 0, slows_to_a_stop(6), 1e-7}}},
     {"slips_for_a_moment", 1e7, "", {{0, What::position, 0, slipped(4), 1e-7}}},
     {"lifts_for_a_moment", 1e7, "", {{0, What::position, 1, lifted(4), 1e-8}}},
+    // Stick and slip alternate without end, or contacts rattle: each took 10 to 50 s, and what was told was wrong.
+    {"box_with_ball_jams", 5e7, unknown},
+    {"box_with_ball_slides", 3e7, "late", {{0, What::position, 0, -0.0836815039763, 1e-9}}},
+    {"box_in_a_shaken_frame", 5e7, unknown},
+    {"tetrahedron_rattles", 5e7, unknown},
+    {"weight_on_a_stop", 1e6, "", {{0, What::position, 1, 0.1, 1e-15}, {0, What::velocity, 1, 0, 0}}},
     {"hinge_chain", 2e9, not_followed, {}, "events"},
-    {"jointed_boxes", 1.5e8, not_followed, {{0, What::position, 1, 0.2, 1e-6}}, "events"},
+    {"jointed_boxes", 1.5e8, "is not reached", {{0, What::position, 1, 0.2, 1e-6}}, "events"},
     {"break_of_sixteen", 3e8, not_followed, {{0, What::position, 1, 0.0286, 1e-6}}, "events"},
 };
 
@@ -340,7 +347,8 @@ TEST_P(OddScenes, EndsAndSaysHowWell) {
     EXPECT_TRUE(says(odd.said));
     return;
   }
-  for (const char* lost : {"not reached", "not kept", "not controlled", not_followed, "iteratively", "late"})
+  for (const char* lost :
+       {"not reached", unknown, "not kept", "not controlled", not_followed, "iteratively", "late"})
     EXPECT_FALSE(says(lost)) << lost;
 }
 
