@@ -352,12 +352,16 @@ void BodyPile::note_overlaps(Time now) {
     log_.note(DiagnosticKind::overlaps_unsolved, now, {}, static_cast<double>(overlaps_.residual()));
 }
 
+Real BodyPile::slop(bool direct) const {
+  return (direct ? settings_.direct_slop : settings_.slop) * found_.smallest();
+}
+
 void BodyPile::correct_positions(Time now, bool direct) {
   set_kinematics();
   look_at_stops();
   if (isolated_) islands_.note(motions_), before_ = motions_;
-  const bool moved = overlaps_.displace(model_.bodies, blocks_, movers_, settings_.slop * found_.smallest(),
-                                        settings_.relaxation, direct, motions_);
+  const bool moved = overlaps_.displace(model_.bodies, blocks_, movers_, slop(direct), settings_.relaxation,
+                                        direct, motions_);
   note_overlaps(now);
   close_joints(now);
   if (isolated_ && (moved || !model_.joints.empty())) islands_.restore(before_, motions_);
@@ -369,8 +373,8 @@ void BodyPile::correct_groups(Time now) {
   look_at_stops();
   const auto correct = [&](const Group& group, bool direct) {
     lists_.gather(group, blocks_, model_.bodies, movers_, motions_);
-    if (!overlaps_.displace(lists_.bodies, lists_.blocks, lists_.movers, settings_.slop * found_.smallest(),
-                            settings_.relaxation, direct, lists_.motions))
+    if (!overlaps_.displace(lists_.bodies, lists_.blocks, lists_.movers, slop(direct), settings_.relaxation,
+                            direct, lists_.motions))
       return false;
     note_overlaps(now);
     for (std::size_t i = 0; i < group.bodies.size(); ++i)

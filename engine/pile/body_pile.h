@@ -61,6 +61,7 @@ class BodyPile : public Stepper {
   void sweep(bool warm);
   void carry_impulses();
   void drift(Real h);
+  Real slop(bool direct) const;  // [m]
   void correct_positions(Time now, bool direct);
   void correct_groups(Time now);
   void close_joints(Time now);
