@@ -135,6 +135,7 @@ void Rows::project_positions(const std::vector<Body>& bodies, Motion* motion) {
   for (Row& row : rows) row.residual = row.offset;
   solve();
   const auto move = [&](int body, const Vector3& direction, const Vector3& spin, Real lambda) {
+    if (bodies[index(body)].locked) return;
     Motion& m = motion[index(body)];
     m.position += lambda * bodies[index(body)].inverse_mass * direction;
     m.orientation = turned(m.orientation, lambda * spin);

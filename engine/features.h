@@ -34,7 +34,7 @@ enum class Feature : unsigned {
   user_force,                ///< Its law is a plug-in's.
   user_force_of_velocities,  ///< One that is not affine in the momenta.
   frame_force,           ///< The frame of the scene turns or accelerates, and motions are those that it sees.
-  unknown_displacement,  ///< A body under water of a shape whose submerged volume has no formula.
+  unknown_displacement,  ///< A body under water of a shape without volume that is no point.
   // Joints.
   joint_together,
   joint_at_length,
@@ -101,8 +101,7 @@ inline constexpr std::array feature_names = {
     FeatureName{Feature::user_force, "forces of plug-ins"},
     FeatureName{Feature::user_force_of_velocities, "forces of plug-ins that read velocities"},
     FeatureName{Feature::frame_force, "a frame that turns or accelerates"},
-    FeatureName{Feature::unknown_displacement,
-                "the volume of a capsule, a cylinder or a cone below a water surface"},
+    FeatureName{Feature::unknown_displacement, "what a rod displaces of water, as it has no volume"},
     FeatureName{Feature::joint_together, "joints at a point"},
     FeatureName{Feature::joint_at_length, "joints at a length"},
     FeatureName{Feature::joint_along_axis, "joints along an axis"},

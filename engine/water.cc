@@ -1,5 +1,6 @@
 #include "engine/forces.h"
 #include "engine/geometry/pose.h"
+#include "engine/round_below.h"
 
 #include <algorithm>
 #include <array>
@@ -102,6 +103,16 @@ Submerged below(const Hull& hull, const Vector3& position, const Matrix3& rotati
   return cut.result(whole.result(0).volume);
 }
 
+// Bodies of revolution about their y.
+template <class S>
+requires requires(const S& s) { round_below(s, Vector3(), Real()); }
+Submerged below(const S& shape, const Vector3& position, const Matrix3& rotation, Real height) {
+  const RoundBelow part = round_below(shape, rotation.col(1), height - position.y());
+  Submerged result{part.volume, whole_volume(shape), position};
+  if (part.volume > 0) result.centroid += part.moment / part.volume;
+  return result;
+}
+
 // The sum over the parts:  centroid = sum V_k c_k / sum V_k.
 Submerged below(const Compound& compound, const Vector3& position, const Matrix3& rotation, Real height) {
   Submerged all{0, 0, position};
@@ -141,6 +152,7 @@ bool displaces(const Shape& shape) {
   if (const auto* compound = std::get_if<Compound>(&shape))
     return std::all_of(compound->parts.begin(), compound->parts.end(),
                        [](const ShapePart& part) { return displaces(part.shape); });
+  if (const auto* capsule = std::get_if<Capsule>(&shape)) return capsule->radius > 0;  // else a rod
   return std::visit(
       []<class S>(const S& s) {
         return std::is_same_v<S, std::monostate> || requires { below(s, Vector3(), Matrix3(), Real()); };

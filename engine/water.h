@@ -70,10 +70,11 @@ struct Submerged {
   Vector3 centroid = Vector3::Zero();  ///< World [m].
 };
 
-/// Sphere: cap.  Box and hull: the polyhedron cut by the plane.  Both exact.  Compound: the sum of its parts.  A point displaces nothing, and
-/// for what displaces() denies there is no formula.
+/// Sphere: cap.  Box and hull: the polyhedron cut by the plane.  Both exact.  Cylinder, cone and capsule: round_below(), to
+/// rounding of the whole.  Compound: the sum of its parts.  A point displaces nothing, and neither does what displaces()
+/// denies.
 Submerged submerged(const Shape&, const Vector3& position, const Matrix3& rotation, Real height);
-/// Whether submerged() knows the shape.
+/// Whether the shape has a volume, or is a point: a rod has none.
 bool displaces(const Shape&);
 
 }  // namespace cylon::engine

@@ -33,18 +33,18 @@ struct Rounding {
 Rounding rounding(const CoulombProblem& p, const VectorX& f) {
   const std::size_t k = p.friction.size();
   Rounding r{VectorX::Zero(static_cast<Eigen::Index>(k)), VectorX::Zero(static_cast<Eigen::Index>(k))};
-  const Real scale = 512 * epsilon;
+  const Real scale = 512 * epsilon, least = std::numeric_limits<Real>::min();  // below it digits are lost
   Real largest = 0;
   for (std::size_t i = 0; i < k; ++i) {
     const auto rows = p.response.middleRows<3>(at(i));
     const Real u = rows.cwiseAbs().rowwise().sum().maxCoeff() * (f.size() ? f.cwiseAbs().maxCoeff() : 0) +
                    p.offset.segment<3>(at(i)).norm();
-    r.rate[static_cast<Eigen::Index>(i)] = scale * u;
+    r.rate[static_cast<Eigen::Index>(i)] = std::max(scale * u, least);
     const Real a = p.response.diagonal().segment<3>(at(i)).maxCoeff();
     if (a > 0)
       largest = std::max({largest, p.offset.segment<3>(at(i)).norm() / a, f.segment<3>(at(i)).norm()});
   }
-  r.force.setConstant(scale * largest);
+  r.force.setConstant(std::max(scale * largest, least));
   return r;
 }
 

@@ -1,5 +1,6 @@
 #include "engine/geometry/facetted.h"
 
+#include "engine/geometry/reduce.h"
 #include "engine/geometry/touch.h"
 
 #include <algorithm>
@@ -22,16 +23,18 @@ class Round {
   Round(const Frustum& frustum, Shape& storage) : frustum_(frustum) {
     if (!std::holds_alternative<Hull>(storage)) storage = Hull();
     hull_ = &std::get<Hull>(storage);
-    for (int k = 0; k < polygon_corners; ++k)
-      corners_[index(k)] = {2 * pi * static_cast<Real>(k) / polygon_corners, 0};
-    count_ = polygon_corners;
+    begin_at(0);
     fill();
   }
 
   // Facets towards a normal, and towards a point beside the surface (own axes); whether any is new.
   bool look(const Vector3& normal, const Vector3& point) {
     moved_ = 0;
-    bool any = std::hypot(normal.x(), normal.z()) > epsilon && add(std::atan2(normal.z(), normal.x()));
+    const Real across = std::hypot(normal.x(), normal.z()), angle = std::atan2(normal.z(), normal.x());
+    const bool has_lowest = across > level_disc;
+    // Of a disc that lies on something the corners are spread evenly from its lowest point on.
+    if (has_lowest && facets_ == 0 && across < std::abs(normal.y())) begin_at(angle);
+    bool any = has_lowest && add(angle);
     const Real part =
         std::clamp((point.y() - frustum_.low) / (frustum_.high - frustum_.low), Real(0), Real(1));
     const Real radius = frustum_.low_radius + part * (frustum_.high_radius - frustum_.low_radius);
@@ -55,6 +58,13 @@ class Round {
     Real angle = 0;
     int facet = 0;  // the number of the tangent facet that it is an end of, from 1
   };
+
+  void begin_at(Real angle) {
+    count_ = polygon_corners;
+    for (int k = 0; k < polygon_corners; ++k)
+      corners_[index(k)] = {std::remainder(angle + 2 * pi * static_cast<Real>(k) / polygon_corners, 2 * pi),
+                            0};
+  }
 
   // Corners of the inscribed polygon, and facets found before, give way.
   bool add(Real angle) {

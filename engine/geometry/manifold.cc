@@ -72,8 +72,46 @@ std::uint32_t single_feature(const Touch& t) {
   return 0x80000000U | number(t.feature_a) << 16U | number(t.feature_b);
 }
 
+using Corners = std::array<ContactPoint, std::tuple_size_v<decltype(Patch::corners)>>;
+
+// Points nearer to each other than `same` are one: their middle where they are as deep, else the deepest.
+int without_twins(Corners& points, int count, Real same) {
+  for (int i = 0; i < count; ++i)
+    for (int k = i + 1; k < count;) {
+      ContactPoint &p = points[static_cast<std::size_t>(i)], &q = points[static_cast<std::size_t>(k)];
+      if ((p.position - q.position).norm() > same) {
+        ++k;
+        continue;
+      }
+      if (std::abs(p.gap - q.gap) <= Real(1e-6) * same)
+        p.position = (p.position + q.position) / 2, p.gap = std::min(p.gap, q.gap);
+      else if (q.gap < p.gap)
+        p = q;
+      std::move(points.begin() + k + 1, points.begin() + count--, points.begin() + k);
+    }
+  return count;
+}
+
+// How more points than fit are thinned, and which are one.
+struct Thinning {
+  const Pose& frame;    // of the shape to which the directions are fixed
+  const Frustum* disc;  // that it is, or none
+  bool is_body;
+  Real same = 0;  // [m]
+
+  Vector3 first(const Vector3& normal) const {
+    const Vector3 own = frame.rotation.transpose() * normal;
+    if (disc == nullptr) return frame.rotation * skew_direction(own);
+    return frame.rotation * down_on_disc(is_body ? own : Vector3(-own));
+  }
+  // By how much the eight points of a disc are narrower than it: r (1 - cos(pi/8)), a plane's too.
+  Real spare() const {
+    return disc == nullptr ? Real(0) : Real(0.0762) * std::max(disc->low_radius, disc->high_radius);
+  }
+};
+
 Manifold polytopes(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose,
-                   Real margin) {
+                   Real margin, const Thinning& thinning) {
   const Couple couple(body, pose, other, other_pose);
   const Real radii = couple.a.radius + couple.b.radius;
   const Touch t = touch(couple);
@@ -85,17 +123,24 @@ Manifold polytopes(const Shape& body, const Pose& pose, const Shape& other, cons
   if (face.face >= 0 && face.gap >= t.gap - slack) {
     Patch patch;
     clip(couple, face.on_a, face.face, patch);
-    Reduction reduction(pose.rotation * face.normal);
     const Vector3 up = face.on_a ? Vector3(-face.normal) : face.normal;  // out of the reference
     const Real below = face.on_a ? couple.b.radius : couple.a.radius;    // of the incident, under its core
     const std::uint32_t flip = face.on_a ? 0U : 0x80000000U;
     const Real most = stands_across(couple, face) ? std::min(margin, t.gap - radii + slack) : margin;
+    Corners corners;
+    int count = 0;
     for (int k = 0; k < patch.count; ++k) {
       const Corner& corner = patch.corners[static_cast<std::size_t>(k)];
       const Real gap = corner.gap - radii;
-      if (gap < most) reduction.add({world(corner.x - up * (below + gap / 2)), gap, corner.feature ^ flip});
+      if (gap < most)
+        corners[static_cast<std::size_t>(count++)] = {world(corner.x - up * (below + gap / 2)), gap,
+                                                      corner.feature ^ flip};
     }
-    Manifold result = reduction.result();
+    if (thinning.same > 0) count = without_twins(corners, count, thinning.same);
+    const Vector3 normal = pose.rotation * face.normal;
+    Reduction reduction(normal, thinning.first(normal));
+    for (int k = 0; k < count; ++k) reduction.add(corners[static_cast<std::size_t>(k)]);
+    Manifold result = reduction.result(thinning.spare());
     result.thinned = result.thinned || patch.thinned;
     if (result.count > 0) return result;
   }
@@ -103,30 +148,20 @@ Manifold polytopes(const Shape& body, const Pose& pose, const Shape& other, cons
   return one_point({t.gap - radii, pose.rotation * t.normal, world(a), world(b)}, margin, single_feature(t));
 }
 
-// Points nearer to each other than `same` are one: their middle where they are as deep, else the deepest.
-Manifold without_twins(Manifold manifold, Real same) {
-  const auto at = [&](int i) -> ContactPoint& { return manifold.points[static_cast<std::size_t>(i)]; };
-  for (int i = 0; i < manifold.count; ++i)
-    for (int k = i + 1; k < manifold.count;) {
-      ContactPoint &p = at(i), &q = at(k);
-      if ((p.position - q.position).norm() > same) {
-        ++k;
-        continue;
-      }
-      if (std::abs(p.gap - q.gap) <= Real(1e-6) * same)
-        p.position = (p.position + q.position) / 2, p.gap = std::min(p.gap, q.gap);
-      else if (q.gap < p.gap)
-        p = q;
-      q = at(--manifold.count);
-    }
-  return manifold;
+// Of two polytopes the directions are those of the smaller one, which mostly has the corners.
+Manifold flat_polytopes(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose,
+                        Real margin) {
+  const bool on_body = bounding_radius(body) <= bounding_radius(other);
+  return polytopes(body, pose, other, other_pose, margin, {on_body ? pose : other_pose, nullptr, on_body});
 }
 
 Manifold round_polytopes(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose,
                          Real margin) {
+  const auto *a = std::get_if<Frustum>(&body), *b = std::get_if<Frustum>(&other);
+  const bool on_body = b == nullptr || (a != nullptr && bounding_radius(body) <= bounding_radius(other));
   const Facetted facetted(body, pose, other, other_pose, margin);
-  Manifold result =
-      without_twins(polytopes(facetted.body(), pose, facetted.other(), other_pose, margin), facetted.same());
+  Manifold result = polytopes(facetted.body(), pose, facetted.other(), other_pose, margin,
+                              {on_body ? pose : other_pose, on_body ? a : b, on_body, facetted.same()});
   result.unsettled = facetted.unsettled();
   return result;
 }
@@ -152,7 +187,7 @@ constexpr auto manifold_table = pair_table([]<class A, class B>() -> ManifoldOf 
   else if constexpr (std::is_same_v<A, Frustum> || std::is_same_v<B, Frustum>)
     return round_polytopes;
   else
-    return polytopes;
+    return flat_polytopes;
 });
 
 }  // namespace
@@ -180,8 +215,7 @@ namespace {
 void add_discs(const Frustum& s, const Pose& pose, const Plane& plane, Real margin, const Travel* travel,
                const Vector3& origin, Reduction& reduction) {
   const Vector3 n = pose.rotation.transpose() * plane.normal;
-  const Real across = std::hypot(n.x(), n.z());
-  const Vector3 down = across > 0 ? Vector3(-n.x() / across, 0, -n.z() / across) : Vector3(Vector3::UnitX());
+  const Vector3 down = down_on_disc(n);
   const Vector3 side = Vector3::UnitY().cross(down);
   const Real height = plane.normal.dot(pose.position) - plane.offset, half = std::sqrt(Real(0.5));
   const std::array<std::array<Real, 2>, 8> circle = {
@@ -228,11 +262,14 @@ std::uint32_t with_parts(std::uint32_t feature, int part, int other) {
 Manifold manifold(const Shape& body, const Pose& pose, const Plane& plane, Real margin,
                   const Travel* travel) {
   if (body.index() == 0) return no_manifold();
-  Reduction reduction(plane.normal);
+  const auto own = [&](const Pose& at) { return Vector3(at.rotation.transpose() * plane.normal); };
+  Reduction reduction(plane.normal, pose.rotation * skew_direction(own(pose)));
   bool thinned = false;
   each_part(body, pose, [&](int part, const Shape& shape, const Pose& at) {
-    Reduction of_part(plane.normal);
-    if (const auto* frustum = std::get_if<Frustum>(&shape))
+    const auto* frustum = std::get_if<Frustum>(&shape);
+    Reduction of_part(plane.normal,
+                      at.rotation * (frustum ? down_on_disc(own(at)) : skew_direction(own(at))));
+    if (frustum != nullptr)
       add_discs(*frustum, at, plane, margin, travel, pose.position, of_part);
     else
       add_vertices(shape, at, plane, margin, of_part);
@@ -282,11 +319,12 @@ void manifolds(const Shape& body, const PartBoxes& boxes, const Pose& pose, cons
   }
 }
 
-void join_faces(std::vector<PartManifold>& found) {
+void join_faces(std::vector<PartManifold>& found, const Pose& frame) {
   if (found.size() < 2) return;
   constexpr Real flush = epsilon < Real(1e-10) ? Real(1e-9) : Real(1e-4);
   for (std::size_t i = 0; i < found.size(); ++i) {
-    Reduction joined(found[i].manifold.normal);
+    const Vector3& normal = found[i].manifold.normal;
+    Reduction joined(normal, frame.rotation * skew_direction(frame.rotation.transpose() * normal));
     bool thinned = false;
     Real unsettled = 0;
     const auto add = [&](const Manifold& one) {

@@ -30,13 +30,14 @@ struct Manifold {
   Vector3 normal;  ///< Unit, world axes, from `other` to `body`.
   int count = 0;
   std::array<ContactPoint, capacity> points;
-  bool thinned = false;  ///< There were more points than fit.
+  bool thinned = false;  ///< There were more points than fit, and the face is wider than those that stay.
   Real unsettled =
       0;  ///< About how far gaps are off at a round body whose place was not found (Facetted) [m].
 };
 
 /// The points with gap < margin [m], where faces meet faces the corners of the common area; at least one
-/// where separation().gap < margin.  More than the capacity are thinned: the deepest and the outermost stay.
+/// where separation().gap < margin.  More than the capacity are thinned: the outermost stay, evenly spaced in axes of the
+/// shape that has them (of a disc from its lowest point on, as on a plane), and the deepest.
 /// An edge that crosses an edge gives one point; where a face is within a tenth of the margin of being the
 /// separating plane, it is taken in its place (so boxes that rest on one another do not lose corners to
 /// rounding).
@@ -56,8 +57,9 @@ struct PartManifold {
 void manifolds(const Shape& body, const PartBoxes&, const Pose&, const Shape& other,
                const PartBoxes& other_boxes, const Pose& other_pose, Real margin, std::vector<PartManifold>&);
 
-/// Makes one manifold of those with the same normal: faces of several parts in one plane are one face.
-void join_faces(std::vector<PartManifold>&);
+/// Makes one manifold of those with the same normal: faces of several parts in one plane are one face.  More points than
+/// fit are thinned in directions fixed to `frame`.
+void join_faces(std::vector<PartManifold>&, const Pose& frame);
 
 /// The point of a separation, where its gap < margin.
 Manifold one_point(const Separation&, Real margin, std::uint32_t feature = 0);

@@ -46,6 +46,28 @@ void leave_out_between(Manifold& manifold, Real size) {
   }
 }
 
+// How many points with one normal have loads that the motion alone decides.
+constexpr int most_unique = 3;
+
+bool is_one_to_one(std::vector<const Block*>& matched, std::ptrdiff_t count) {
+  if (static_cast<std::ptrdiff_t>(matched.size()) != count || std::ranges::count(matched, nullptr) > 0)
+    return false;
+  std::sort(matched.begin(), matched.end());
+  return std::adjacent_find(matched.begin(), matched.end()) == matched.end();
+}
+
+// Of more points than three the loads are not unique, and a solution adds to what each had before only what is linear in
+// the place.  Where some of the points are new, what the others had would stay as a pattern that turns a sliding body, so
+// all begin with the same:  J_k = (sum of those before)/n.
+void share_evenly(const Block* from, const Block* to, Block* first, Block* last) {
+  Vector3 sum = Vector3::Zero();
+  for (const Block* b = from; b != to; ++b) sum += b->impulse;
+  const Vector3& normal = first->normal;
+  const Real along = normal.dot(sum);
+  sum += (std::max(along, Real(0)) - along) * normal;
+  for (Block* b = first; b != last; ++b) b->impulse = sum / static_cast<Real>(last - first);
+}
+
 Vector3 point(const Vector3& anchor, int body, const std::vector<Motion>& motions) {
   if (body == fixed_world) return anchor;
   return motions[index(body)].position + motions[index(body)].orientation * anchor;
@@ -191,6 +213,9 @@ void BodyContacts::touch(const std::vector<Motion>& motions, int a, int b, int p
       model_.material(model_.surfaces[index(a)],
                       b == fixed_world ? model_.plane_surfaces[index(plane)] : model_.surfaces[index(b)]);
   const Quaternion back = motions[index(a)].orientation.conjugate();
+  const std::size_t first = blocks.size();
+  std::vector<const Block*>& matched = matched_;
+  matched.clear();
   for (const PartManifold& found : points_) {
     const Vector3& normal = found.manifold.normal;
     const Vector3 own_normal = back * normal;
@@ -221,9 +246,16 @@ void BodyContacts::touch(const std::vector<Motion>& motions, int a, int b, int p
         const Real along = block.normal.dot(same->impulse);
         block.impulse = same->impulse + (std::max(along, Real(0)) - along) * block.normal;
       }
+      matched.push_back(same);
       blocks.push_back(block);
     }
   }
+  std::size_t end = next;
+  while (end < old.size() && old[end].kind == Block::Kind::contact && same_pair(old[end])) ++end;
+  const auto count = static_cast<std::ptrdiff_t>(end - next);
+  if (points_.size() == 1 && points_[0].manifold.count > most_unique && count > 0 &&
+      !is_one_to_one(matched, count))
+    share_evenly(old.data() + next, old.data() + end, blocks.data() + first, blocks.data() + blocks.size());
 }
 
 // Fills points_ with where two bodies touch, or one and a plane.
@@ -236,7 +268,8 @@ void BodyContacts::find_points(const std::vector<Motion>& motions, int a, int b,
     manifolds(shape, boxes_[index(a)], at, model_.shapes[index(b)], boxes_[index(b)], pose(motions[index(b)]),
               margin, points_);
     for (PartManifold& found : points_) leave_out_inside(motions, a, b, found);
-    join_faces(points_);
+    const bool on_a = radius_[index(a)] <= radius_[index(b)];
+    join_faces(points_, on_a ? at : pose(motions[index(b)]));
   }
   for (const PartManifold& found : points_) {
     if (found.manifold.thinned) log_.note(DiagnosticKind::points_left_out, now_, Manifold::capacity);

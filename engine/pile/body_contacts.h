@@ -65,6 +65,7 @@ class BodyContacts {
   std::vector<Found> found_, old_found_;    // per pair, in the order of the blocks
   std::vector<PartManifold> points_;        // of the pair that is looked at
   std::vector<Block> old_;
+  std::vector<const Block*> matched_;  // in old_, of each new block of the pair that is looked at
   DiagnosticLog log_;
   Time now_ = 0;                           // of find() [s]
   std::size_t next_ = 0, next_found_ = 0;  // of the pair that is looked at, in old_ and old_found_

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cylon::engine::pile {
 namespace {
@@ -351,12 +352,16 @@ void BodyPile::note_overlaps(Time now) {
     log_.note(DiagnosticKind::overlaps_unsolved, now, {}, static_cast<double>(overlaps_.residual()));
 }
 
+Real BodyPile::slop(bool direct) const {
+  return (direct ? settings_.direct_slop : settings_.slop) * found_.smallest();
+}
+
 void BodyPile::correct_positions(Time now, bool direct) {
   set_kinematics();
   look_at_stops();
   if (isolated_) islands_.note(motions_), before_ = motions_;
-  const bool moved = overlaps_.displace(model_.bodies, blocks_, movers_, settings_.slop * found_.smallest(),
-                                        settings_.relaxation, direct, motions_);
+  const bool moved = overlaps_.displace(model_.bodies, blocks_, movers_, slop(direct), settings_.relaxation,
+                                        direct, motions_);
   note_overlaps(now);
   close_joints(now);
   if (isolated_ && (moved || !model_.joints.empty())) islands_.restore(before_, motions_);
@@ -368,8 +373,8 @@ void BodyPile::correct_groups(Time now) {
   look_at_stops();
   const auto correct = [&](const Group& group, bool direct) {
     lists_.gather(group, blocks_, model_.bodies, movers_, motions_);
-    if (!overlaps_.displace(lists_.bodies, lists_.blocks, lists_.movers, settings_.slop * found_.smallest(),
-                            settings_.relaxation, direct, lists_.motions))
+    if (!overlaps_.displace(lists_.bodies, lists_.blocks, lists_.movers, slop(direct), settings_.relaxation,
+                            direct, lists_.motions))
       return false;
     note_overlaps(now);
     for (std::size_t i = 0; i < group.bodies.size(); ++i)
@@ -440,43 +445,26 @@ void BodyPile::note_pressed() {
   }
 }
 
-// The drift of joints goes by moving and turning bodies without their velocities, all of it.
+// The drift of joints goes by moving and turning bodies without their velocities, all of it: Newton's method, each round
+// one solution of all rows, which leaves the square of the drift.  It ends where rows are closed to their rounding, or
+// where what is left is rounding that no longer halves.
 void BodyPile::close_joints(Time now) {
   if (model_.joints.empty()) return;
-  for (int round = 0; round < close_rounds; ++round) {
-    std::size_t k = 0;
-    while (k < blocks_.size() && blocks_[k].kind == Block::Kind::contact) ++k;
-    for (const Joint& joint : model_.joints)
-      for (bool more = true; more && k < blocks_.size(); ++k) {
-        Block& block = blocks_[k];
-        const bool align = block.angular;
-        more = !align && joint.type.turn != Joint::Turn::freely;
-        const Quaternion q_a = orientation_of(block.a, motions_), q_b = orientation_of(block.b, motions_);
-        if (!align) {
-          block.arm = q_a * block.anchor;
-          if (block.b != fixed_world) block.to_arm = q_b * block.to_anchor;
-          place_hold(joint, block, motions_);
-        }
-        const Misfit misfit =
-            align ? misfit_of_turn(joint, q_a, q_b) : misfit_of_place(joint, offset(block, motions_), q_b);
-        block.space = misfit.space;
-        set_effective_mass(block, movers_);
-        const Vector3 shift = -(block.block_mass * misfit.error);
-        const auto move = [&](int body, const Vector3& arm, const Vector3& by) {
-          const Mover& m = movers_[index(body)];
-          if (!align) motions_[index(body)].position += m.inverse_mass * by;
-          const Vector3 turn = m.inverse_inertia * (align ? by : Vector3(arm.cross(by)));
-          if (!turn.isZero(0))
-            motions_[index(body)].orientation = turned(motions_[index(body)].orientation, turn);
-        };
-        move(block.a, block.arm, shift);
-        if (block.b != fixed_world) move(block.b, block.to_arm, -shift);
-      }
+  Real before = std::numeric_limits<Real>::infinity();
+  for (int round = 0;; ++round) {
+    closing_.rows.clear();
+    for (const Joint& joint : model_.joints) add_rows(joint, model_.bodies, motions_.data(), closing_.rows);
+    const Real open = closing_.opening();
+    Real widest = 0;
+    for (const Row& row : closing_.rows) widest = std::max(widest, std::abs(row.offset) / row.rounding);
+    if (closing_.closed() || (open == 0 && !(widest < before / 2))) return;
+    if (round == close_rounds) {
+      if (open != 0) log_.note(DiagnosticKind::joints_drifted, now, close_rounds, static_cast<double>(open));
+      return;
+    }
+    before = widest;
+    closing_.project_positions(model_.bodies, motions_.data());
   }
-  Rows rows;
-  for (const Joint& joint : model_.joints) add_rows(joint, model_.bodies, motions_.data(), rows.rows);
-  if (const Real open = rows.opening(); open != 0)
-    log_.note(DiagnosticKind::joints_drifted, now, close_rounds, static_cast<double>(open));
 }
 
 }  // namespace cylon::engine::pile

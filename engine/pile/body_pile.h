@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/changing_masses.h"
+#include "engine/constraint.h"
 #include "engine/pile/body_contacts.h"
 #include "engine/pile/bounce.h"
 #include "engine/pile/crowd.h"
@@ -61,6 +62,7 @@ class BodyPile : public Stepper {
   void sweep(bool warm);
   void carry_impulses();
   void drift(Real h);
+  Real slop(bool direct) const;  // [m]
   void correct_positions(Time now, bool direct);
   void correct_groups(Time now);
   void close_joints(Time now);
@@ -94,6 +96,7 @@ class BodyPile : public Stepper {
   std::vector<Vector3> kept_impulses_;
   GroupLists lists_;
   std::vector<char> taken_;  // bodies that a pass advances; empty: all
+  Rows closing_;             // of all joints, where the step has left the bodies
   std::vector<Motion> before_;
   std::vector<Kinematics> kinematics_;
   std::vector<Load> loads_;

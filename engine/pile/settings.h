@@ -3,6 +3,8 @@
 
 #include "engine/vector.h"
 
+#include <algorithm>
+
 namespace cylon::engine {
 
 struct PileSettings {
@@ -17,9 +19,10 @@ struct PileSettings {
   /// Share of the overlap that a step takes away, by moving bodies apart without touching their velocities.
   Real relaxation = Real(0.2);
 
-  /// Overlap that is left alone, relative to the smaller radius or half-extent, so that resting contacts
-  /// last.
+  /// Overlap that is left alone, relative to the smaller radius or half-extent: by sweeps, whose contacts it keeps from
+  /// coming and going; by the direct solution, which needs none, only what is near rounding.
   Real slop = Real(2e-4);
+  Real direct_slop = std::max(Real(2e-7), 64 * epsilon);
 
   /// Bodies that touch or are jointed, with at most this many contact points and parts of joints among them,
   /// are solved to rounding by a direct method in every step, in one part a step; if all groups of this size

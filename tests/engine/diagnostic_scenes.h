@@ -192,6 +192,15 @@ inline Model chain_of_boxes(int count) {
   return model;
 }
 
+// Joints that cannot both be closed.
+inline Model held_in_two_places() {
+  Model model = floor({0, Real(0.5)});
+  box(model, {0, Real(0.5), 0}, {0, 0, 0});
+  for (const Real x : {Real(0), Real(0.1)})
+    model.joints.push_back({.body = 0, .to_anchor = {x, Real(0.5), 0}});
+  return model;
+}
+
 // Boxes in the corner of two planes: both are struck at once.
 inline Model struck_twice() {
   Model model;

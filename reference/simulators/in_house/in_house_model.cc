@@ -76,6 +76,8 @@ std::optional<std::string> add(const core::Water& w, const Scene& scene, Model& 
   for (std::size_t i = 0; water.mode == engine::WaterMode::volume && i < scene.bodies.size(); ++i) {
     auto shape = in_house_shape(scene.bodies[i].shape, scene.bodies[i].locked);
     if (const Missing* what = std::get_if<Missing>(&shape)) {
+      if (!scene.bodies[i].locked && std::holds_alternative<core::Disc>(scene.bodies[i].shape))
+        return fmt::format("body '{}' under water is a disc, which has no volume", scene.bodies[i].name);
       if (!scene.bodies[i].locked)
         return fmt::format("body '{}' is {}, whose submerged volume the engine cannot compute",
                            scene.bodies[i].name, *what);
