@@ -324,9 +324,10 @@ BulletKind bullet_kind(const core::Scene& scene) {
     return std::holds_alternative<core::Drag>(f) || std::holds_alternative<core::UniformGravity>(f);
   };
   const bool hung = !untreelike(scene) && all_hung(scene);
-  const bool resisted = core::any_coordinate(
-      scene, [](const core::JointCoordinate& c) { return core::has_limit(c) || c.friction != 0; });
-  kind.tree = !kind.touches && hung && !resisted && !core::has_fictitious_forces(scene) &&
+  const bool acted_on = core::any_coordinate(scene, [](const core::JointCoordinate& c) {
+    return core::has_limit(c) || c.friction != 0 || c.force != 0 || c.stiffness != 0;
+  });
+  kind.tree = !kind.touches && hung && !acted_on && !core::has_fictitious_forces(scene) &&
               std::ranges::all_of(scene.forces, is_smooth);
   kind.stops = core::any_coordinate(scene, [](const core::JointCoordinate& c) { return core::has_limit(c); });
   kind.loops = !untreelike(scene) && has_loops(scene);
@@ -338,7 +339,7 @@ BulletKind bullet_kind(const core::Scene& scene) {
   // beginning, and the orientation of a ball joint loses the fourth order.
   const bool balls =
       std::ranges::any_of(scene.joints, [](const core::Joint& j) { return j.type == core::JointType::ball; });
-  kind.rk4_order = !hung || kind.touches || kind.applied || resisted ? 1 : balls ? 2 : 4;
+  kind.rk4_order = !hung || kind.touches || kind.applied || acted_on ? 1 : balls ? 2 : 4;
   return kind;
 }
 

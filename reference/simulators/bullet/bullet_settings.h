@@ -32,9 +32,9 @@ core::Engine bullet_engine(std::string version, std::string precision);
 
 /// What the paths look at in a scene.
 struct BulletKind : core::SceneKind {
-  bool tree = false;   ///< Nothing touches; every moving body hangs from the world by joints of btMultiBody
-                       ///< or has no gyroscopic torque; no force but gravity and drag acts, and
-                       ///< no joint has limits or dry friction.
+  bool tree = false;  ///< Nothing touches; every moving body hangs from the world by joints of btMultiBody
+                      ///< or has no gyroscopic torque; no force but gravity, drag and dampers of joints acts,
+                      ///< and no joint has limits or dry friction.
   bool loops = false;  ///< Joints close a loop, of btMultiBody.
   bool stops = false;  ///< Joints have limits.
   bool swept = false;  ///< Some body has a shape that continuous collision detection sweeps.
