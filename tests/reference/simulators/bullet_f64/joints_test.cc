@@ -15,7 +15,6 @@ namespace cylon::simulators {
 namespace {
 
 using core::Joint;
-using core::Ordinal;
 using core::Vector3;
 using Type = core::JointType;
 
