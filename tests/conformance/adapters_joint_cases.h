@@ -41,20 +41,21 @@ inline core::Scene at_rest(int count) {
 struct Taken {
   std::string_view engine;
   int machines = 0;   ///< Of 6 joints with springs, dampers and motors (adapters_joint_laws_test.cc).
-  int stops = 0;      ///< Of 16 limits: half of them bounce (adapters_joint_stops_test.cc).
+  int stops = 0;      ///< Of 24 limits: half of them bounce (adapters_joint_stops_test.cc).
   int frictions = 0;  ///< Of 4 joints with dry friction (the same).
 };
 
 inline constexpr Taken taken[] = {
-    {"in-house", 6, 16, 4},
-    {"in-house-float", 6, 16, 4},
-    {"ode", 4, 16, 4},
-    {"ode-quick", 4, 16, 4},  // neither planar joints nor screws
-    {"mujoco", 5, 8, 4},      // no screws, and no coefficient of restitution
-    {"bullet", 1},
-    {"bullet-float", 1},
-    {"bullet-multibody", 1},
-    {"bullet-multibody-float", 1},
+    {"in-house", 6, 24, 4},
+    {"in-house-float", 6, 24, 4},
+    {"ode", 4, 24, 4},
+    {"ode-quick", 4, 24, 4},  // neither planar joints nor screws
+    {"mujoco", 5, 12, 4},     // no screws, and no coefficient of restitution
+    {"bullet", 5, 14, 4},  // no screws, no single stop of an angle, no slider that bounces between two bodies
+    {"bullet-float", 5, 14, 4},
+    {"bullet-multibody", 3, 12,
+     4},  // neither screws nor joints of two freedoms, and stops without restitution
+    {"bullet-multibody-float", 3, 12, 4},
     {"simbody", 1},
     {"dart", 1},  // hinges alone
     {"jolt"},

@@ -19,12 +19,13 @@ struct Stop {
   bool to_a_body;  // that moves as freely; else to the world
   bool upper;
   double restitution;
+  bool both = false;  // with another stop on the other side, which nothing reaches
 };
 
 std::string name_of(const Stop& stop) {
-  return fmt::format("{} to {}, {}, e = {}", core::kind_of(stop.type).name,
+  return fmt::format("{} to {}, {}{}, e = {}", core::kind_of(stop.type).name,
                      stop.to_a_body ? "a body" : "the world", stop.upper ? "upper" : "lower",
-                     stop.restitution);
+                     stop.both ? " of two" : "", stop.restitution);
 }
 
 std::vector<Stop> stops() {
@@ -32,7 +33,10 @@ std::vector<Stop> stops() {
   for (const JointType type : {JointType::slider, JointType::hinge})
     for (const bool to_a_body : {false, true})
       for (const bool upper : {false, true})
-        for (const double restitution : {0.0, 0.6}) all.push_back({type, to_a_body, upper, restitution});
+        for (const double restitution : {0.0, 0.6}) {
+          all.push_back({type, to_a_body, upper, restitution});
+          if (type == JointType::hinge) all.push_back({type, to_a_body, upper, restitution, true});
+        }
   return all;
 }
 
@@ -122,6 +126,7 @@ TEST_P(JointStops, GiveBackTheirPart) {
     core::JointCoordinate acts{.start = start, .restitution = stop.restitution};
     acts.force = sign * a / inverse_inertia(scene);
     (stop.upper ? acts.upper : acts.lower) = start + sign * way;
+    if (stop.both) (stop.upper ? acts.lower : acts.upper) = start - sign * 1.4;
     act(scene, acts);
     const std::string what = fmt::format("{}, {}", name_of(stop), subject().id);
     if (const auto reason = refusal(engine, subject().choice(), scene)) {

@@ -1,5 +1,6 @@
 // Bullet behind the Simulator interface.  Compiled twice: double (BT_USE_DOUBLE_PRECISION) and float.
 #include "harness/core/collision_filter.h"
+#include "harness/core/joint_coordinates.h"
 #include "harness/core/simulator.h"
 #include "harness/core/surfaces.h"
 #include "reference/applied/forces.h"
@@ -163,7 +164,7 @@ class Run {
     for (std::size_t p = 0; p < scene_.planes.size(); ++p) add_plane(p, settings);
     add_bodies(settings);
     if (!settings.multibody)
-      for (const core::Joint& joint : scene_.joints) add_joint(joint);
+      for (const core::Joint& joint : scene_.joints) add_joint(joint, settings.whole_stops);
   }
 
   void step() {
@@ -210,7 +211,7 @@ class Run {
     return contacts;
   }
 
-  // What the joints of rigid bodies did; Bullet's torque is about the centre of mass of the joint's first body.
+  // What the joints of rigid bodies did; Bullet's torques are about the centres of mass.
   // Sleepers tell what they did when awake, so nothing is told of them; nor of multibodies, as after a step of
   // links that turn btMultiBodyJointFeedback does not hold the force that moved them.
   std::optional<std::vector<core::Reaction>> reactions() const {
@@ -219,11 +220,17 @@ class Run {
     for (std::size_t j = 0; j < joints_.size(); ++j) {
       if (!joints_[j]) continue;
       const btTypedConstraint& joint = *joints_[j];
-      if (!moves(joint.getRigidBodyA()) && !moves(joint.getRigidBodyB())) continue;
+      const btRigidBody &a = joint.getRigidBodyA(), &b = joint.getRigidBodyB();
+      if (!moves(a) && !moves(b)) continue;
       const btJointFeedback& told = *joint.getJointFeedback();
-      reactions.push_back({j, from_bullet(joint.getRigidBodyA().getCenterOfMassPosition()),
-                           dt_ * from_bullet(told.m_appliedForceBodyA),
-                           dt_ * from_bullet(told.m_appliedTorqueBodyA)});
+      const bool on_a =
+          !a.isStaticObject();  // some joints push the two at different points: of one that moves
+      const double sign =
+          on_a == (&a == bodies_[static_cast<std::size_t>(scene_.joints[j].body)]->rigid()) ? 1 : -1;
+      reactions.push_back(
+          {j, from_bullet((on_a ? a : b).getCenterOfMassPosition()),
+           sign * dt_ * from_bullet(on_a ? told.m_appliedForceBodyA : told.m_appliedForceBodyB),
+           sign * dt_ * from_bullet(on_a ? told.m_appliedTorqueBodyA : told.m_appliedTorqueBodyB)});
     }
     return reactions;
   }
@@ -269,19 +276,19 @@ class Run {
       if (!settings.multibody || scene_.bodies[i].locked)
         bodies_[i] = make_rigid(scene_.bodies[i], placings[i], settings, *world_);
       else
-        make_multibody(scene_, tree_of(scene_, static_cast<int>(i)), placings, settings,
-                       static_cast<btMultiBodyDynamicsWorld&>(*world_), bodies_, loops_);
+        make_multibody(scene_, tree_of(scene_, static_cast<int>(i)), placings, settings, dt_,
+                       static_cast<btMultiBodyDynamicsWorld&>(*world_), bodies_, constraints_);
     }
   }
 
-  void add_joint(const core::Joint& joint) {
+  void add_joint(const core::Joint& joint, bool whole_stops) {
     const auto rigid = [&](int i) {
       return i == core::world ? nullptr : bodies_[static_cast<std::size_t>(i)]->rigid();
     };
     btRigidBody &a = *rigid(joint.body), *const b = rigid(joint.to);
     joints_.emplace_back();
     if (a.isStaticObject() && (!b || b->isStaticObject())) return;  // both ends are locked
-    joints_.back() = make_joint(joint, a, b);
+    joints_.back() = make_joint(joint, a, b, dt_, whole_stops);
     joints_.back()->setJointFeedback(&feedback_.emplace_back());
     world_->addConstraint(joints_.back().get());
   }
@@ -302,9 +309,9 @@ class Run {
   btDbvtBroadphase broadphase_;
   Solver solver_;
   std::vector<std::unique_ptr<BulletBody>> planes_, bodies_;
-  std::deque<btJointFeedback> feedback_;                       // of joints_, which point at it
-  std::vector<std::unique_ptr<btTypedConstraint>> joints_;     // of the scene's; null between locked ends
-  std::vector<std::unique_ptr<btMultiBodyConstraint>> loops_;  // of multibodies
+  std::deque<btJointFeedback> feedback_;                    // of joints_, which point at it
+  std::vector<std::unique_ptr<btTypedConstraint>> joints_;  // of the scene's; null between locked ends
+  std::vector<std::unique_ptr<btMultiBodyConstraint>> constraints_;  // of multibodies
   std::unique_ptr<btDiscreteDynamicsWorld> world_;
 };
 
@@ -317,8 +324,12 @@ BulletKind bullet_kind(const core::Scene& scene) {
     return std::holds_alternative<core::Drag>(f) || std::holds_alternative<core::UniformGravity>(f);
   };
   const bool hung = !untreelike(scene) && all_hung(scene);
-  kind.tree = !kind.touches && hung && !core::has_fictitious_forces(scene) &&
+  const bool acted_on = core::any_coordinate(scene, [](const core::JointCoordinate& c) {
+    return core::has_limit(c) || c.friction != 0 || c.force != 0 || c.stiffness != 0;
+  });
+  kind.tree = !kind.touches && hung && !acted_on && !core::has_fictitious_forces(scene) &&
               std::ranges::all_of(scene.forces, is_smooth);
+  kind.stops = core::any_coordinate(scene, [](const core::JointCoordinate& c) { return core::has_limit(c); });
   kind.loops = !untreelike(scene) && has_loops(scene);
   kind.swept = std::ranges::any_of(scene.bodies, [](const core::Body& body) {
     return !body.locked && body.collide &&
@@ -328,7 +339,7 @@ BulletKind bullet_kind(const core::Scene& scene) {
   // beginning, and the orientation of a ball joint loses the fourth order.
   const bool balls =
       std::ranges::any_of(scene.joints, [](const core::Joint& j) { return j.type == core::JointType::ball; });
-  kind.rk4_order = !hung || kind.touches || kind.applied ? 1 : balls ? 2 : 4;
+  kind.rk4_order = !hung || kind.touches || kind.applied || acted_on ? 1 : balls ? 2 : 4;
   return kind;
 }
 
@@ -348,11 +359,16 @@ class Bullet final : public core::Simulator {
       if (auto reason = body.collide ? untouchable(body.shape, body.locked) : std::nullopt)
         return fmt::format("Body '{}': {}", body.name, *reason);
     for (const core::Joint& joint : scene.joints)
-      if (auto reason = simulators::unsupported(joint)) return reason;
+      if (auto reason = missing(joint)) return reason;
     if (core::pair_without_material(scene)) return "A pair that may touch has no material.";
-    if (setup.path == "multibody")
+    const BulletSettings settings = bullet_settings(engine_, setup, bullet_kind(scene));
+    if (settings.multibody) {
       if (auto reason = untreelike(scene)) return reason;
-    return bullet_settings(engine_, setup, bullet_kind(scene)).refused;
+    } else {
+      for (const core::Joint& joint : scene.joints)
+        if (auto reason = simulators::unsupported(scene, joint)) return reason;
+    }
+    return settings.refused;
   }
 
   core::Terms load(const core::Scene& scene, const core::Setup& setup) override {

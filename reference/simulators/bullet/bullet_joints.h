@@ -12,10 +12,15 @@ class btTypedConstraint;
 
 namespace cylon::simulators {
 
-/// Why Bullet cannot hold a joint, or nothing.
-std::optional<std::string> unsupported(const core::Joint&);
+/// Why Bullet has no joint of this kind, of rigid bodies or of links; or nothing.
+std::optional<std::string> missing(const core::Joint&);
 
-/// Between a and b; the world where b is null.
-std::unique_ptr<btTypedConstraint> make_joint(const core::Joint&, btRigidBody& a, btRigidBody* b);
+/// Why Bullet's constraints between rigid bodies cannot hold a joint that is not missing(), or nothing.
+std::optional<std::string> unsupported(const core::Scene&, const core::Joint&);
+
+/// Between the joint's body and `to`, of which one moves; `to` is null where it is the world.  Dry friction is given by
+/// its impulse in a step of dt [s]; BulletSettings::whole_stops.  Requires that unsupported() says nothing.
+std::unique_ptr<btTypedConstraint> make_joint(const core::Joint&, btRigidBody& body, btRigidBody* to,
+                                              double dt, bool whole_stops);
 
 }  // namespace cylon::simulators

@@ -1,26 +1,33 @@
 #include "reference/simulators/bullet/bullet_multibody.h"
 
+#include "harness/core/joint_coordinates.h"
 #include "reference/simulators/bullet/bullet_border.h"
 
 #include <BulletDynamics/Featherstone/btMultiBody.h>
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 #include <BulletDynamics/Featherstone/btMultiBodyFixedConstraint.h>
+#include <BulletDynamics/Featherstone/btMultiBodyJointLimitConstraint.h>
+#include <BulletDynamics/Featherstone/btMultiBodyJointMotor.h>
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 #include <BulletDynamics/Featherstone/btMultiBodyPoint2Point.h>
 #include <btBulletDynamicsCommon.h>
 
 #include <algorithm>
-#include <functional>
 #include <stdexcept>
 #include <utility>
 
 namespace cylon::simulators {
 namespace {
 
+constexpr btScalar no_stop = btScalar(1e12);  // [m, rad], where there is one stop
+
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-bool still(const core::Scene& scene, int body) {
-  return body == core::world || scene.bodies[at(body)].locked;
+// Whether constraints act on the links of a tree, besides the joints from which they hang.
+bool constrained(const core::Scene& scene, const Tree& tree) {
+  return !tree.loops.empty() || std::ranges::any_of(tree.places, [&](const TreePlace& place) {
+    return place.joint >= 0 && resisted(scene.joints[at(place.joint)]);
+  });
 }
 
 // One btMultiBody: the base, which is the root or stands still, and the links.
@@ -59,7 +66,7 @@ class TreeBody {
     for (std::size_t i = 0; i < tree.bodies.size(); ++i) {
       const core::Body& body = scene.bodies[at(tree.bodies[i])];
       const Placing& placing = placings[at(tree.bodies[i])];
-      if (body.collide || !tree.loops.empty())
+      if (body.collide || constrained(scene, tree))
         collide(link(i), pose_to_bullet(body, placing.principal), placing, body.collide, settings, world);
     }
     world.addMultiBody(&multibody_);
@@ -128,12 +135,14 @@ class TreeBody {
     const btTransform pose = pose_to_bullet(scene.bodies[at(child)], placing.principal);
     const btVector3 point = to_bullet(joint.point);
     btQuaternion turn = btQuaternion::getIdentity();  // parent to child; the base of a hung root is aligned
-    btVector3 to_point(0, 0, 0);
+    btVector3 to_point(0, 0, 0),
+        to_child = quatRotate(pose.getRotation().inverse(), pose.getOrigin() - point);
     int parent_link = -1;
     if (parent != core::world) {
       const btTransform of_parent = pose_to_bullet(scene.bodies[at(parent)], placings[at(parent)].principal);
       turn = pose.getRotation().inverse() * of_parent.getRotation();
       to_point = quatRotate(of_parent.getRotation().inverse(), point - of_parent.getOrigin());
+      to_child = quatRotate(of_parent.getRotation().inverse(), pose.getOrigin() - of_parent.getOrigin());
       parent_link = link(at(
           static_cast<int>(std::find(tree.bodies.begin(), tree.bodies.end(), parent) - tree.bodies.begin())));
     }
@@ -151,10 +160,15 @@ class TreeBody {
       case core::JointType::fixed:
         multibody_.setupFixed(link(i), mass, moments, parent_link, turn, to_point, to_centre);
         return;
-      case core::JointType::distance:
       case core::JointType::slider:
+        multibody_.setupPrismatic(link(i), mass, moments, parent_link, turn, axis, to_point, to_centre,
+                                  false);
+        return;
+      case core::JointType::planar:  // about the centre of mass, which moves as any point does
+        multibody_.setupPlanar(link(i), mass, moments, parent_link, turn, axis, to_child);
+        return;
+      case core::JointType::distance:
       case core::JointType::cylindrical:
-      case core::JointType::planar:
       case core::JointType::universal:
       case core::JointType::screw:
         throw std::logic_error("the multibody path was asked for a joint that it refuses");
@@ -166,19 +180,39 @@ class TreeBody {
     const int child = tree.bodies[i], parent = tree.places[i].parent;
     const core::Joint& joint = scene.joints[at(tree.places[i].joint)];
     if (joint.type == core::JointType::fixed) return;
+    if (joint.type == core::JointType::slider) {
+      const double rate = core::joint_displacement_rate(core::held_joint(scene, joint), core::Ordinal::first,
+                                                        core::initial_state(scene));
+      multibody_.setJointVel(link(i), to_bullet(joint.body == child ? rate : -rate));
+      return;
+    }
     const btQuaternion to_child =
         pose_to_bullet(scene.bodies[at(child)], placings[at(child)].principal).getRotation().inverse();
     core::Vector3 relative = scene.bodies[at(child)].initial.angular_velocity;
     if (parent != core::world) relative -= scene.bodies[at(parent)].initial.angular_velocity;
     const btVector3 spin = quatRotate(to_child, to_bullet(relative));
     const btVector3 axis = quatRotate(to_child, to_bullet(joint.axis));
+    if (joint.type == core::JointType::planar) {
+      const core::BodyState& start = scene.bodies[at(child)].initial;
+      core::Vector3 velocity = start.velocity;
+      if (parent != core::world) {
+        const core::BodyState& from = scene.bodies[at(parent)].initial;
+        velocity -= from.velocity + from.angular_velocity.cross(start.position - from.position);
+      }
+      const btVector3 slip = quatRotate(to_child, to_bullet(velocity));
+      const btMultibodyLink& made = multibody_.getLink(link(i));
+      const btScalar rates[] = {spin.dot(axis), slip.dot(made.getAxisBottom(1)),
+                                slip.dot(made.getAxisBottom(2))};
+      multibody_.setJointVelMultiDof(link(i), rates);
+      return;
+    }
     const btScalar rates[] = {joint.type == core::JointType::ball ? spin.x() : spin.dot(axis), spin.y(),
                               spin.z()};
     multibody_.setJointVelMultiDof(link(i), rates);
   }
 
   // Bullet solves a constraint with the island of its ends' colliders, and leaves it out where they have
-  // none: what cannot touch has one all the same in a tree with loops, in no group.
+  // none: what cannot touch has one all the same in a tree with constraints, in no group.
   void collide(int link, const btTransform& pose, const Placing& placing, bool touches,
                const BulletSettings& settings, btMultiBodyDynamicsWorld& world) {
     colliders_.push_back(std::make_unique<btMultiBodyLinkCollider>(&multibody_, link));
@@ -257,94 +291,10 @@ std::unique_ptr<btMultiBodyConstraint> closing(const core::Joint& joint, btMulti
 
 }  // namespace
 
-Tree tree_of(const core::Scene& scene, int first) {
-  Tree tree;
-  std::vector<bool> used(scene.joints.size(), false);
-  const auto in_tree = [&](int body) {
-    return std::find(tree.bodies.begin(), tree.bodies.end(), body) != tree.bodies.end();
-  };
-  // Bodies that joints connect with those before, breadth first.
-  const auto grow = [&] {
-    for (std::size_t i = 0; i < tree.bodies.size(); ++i)
-      for (std::size_t j = 0; j < scene.joints.size(); ++j) {
-        const core::Joint& joint = scene.joints[j];
-        const int here = tree.bodies[i];
-        if (used[j] || (joint.body != here && joint.to != here)) continue;
-        const int there = joint.body == here ? joint.to : joint.body;
-        used[j] = true;
-        if (still(scene, there) || in_tree(there)) {
-          tree.loops.push_back(static_cast<int>(j));
-        } else {
-          tree.bodies.push_back(there);
-          tree.places.push_back({static_cast<int>(j), here});
-        }
-      }
-  };
-  tree.bodies = {first}, tree.places = {{}};
-  grow();
-  // Of the joints to what stands still, the first becomes the root's.
-  const auto to_world = std::find_if(tree.loops.begin(), tree.loops.end(), [&](int j) {
-    return still(scene, scene.joints[at(j)].body) || still(scene, scene.joints[at(j)].to);
-  });
-  if (to_world == tree.loops.end()) return tree;
-  const int root_joint = *to_world;
-  const core::Joint& joint = scene.joints[at(root_joint)];
-  tree = {};
-  used.assign(scene.joints.size(), false);
-  used[at(root_joint)] = true;
-  tree.bodies = {still(scene, joint.body) ? joint.to : joint.body};
-  tree.places = {{root_joint, core::world}};
-  grow();
-  return tree;
-}
-
-namespace {
-
-// Shows the tree of each moving body once, until `found` says true; whether it did.
-bool any_tree(const core::Scene& scene, const std::function<bool(const Tree&)>& found) {
-  std::vector<bool> seen(scene.bodies.size(), false);
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    if (seen[i] || scene.bodies[i].locked) continue;
-    const Tree tree = tree_of(scene, static_cast<int>(i));
-    for (const int body : tree.bodies) seen[at(body)] = true;
-    if (found(tree)) return true;
-  }
-  return false;
-}
-
-}  // namespace
-
-bool has_loops(const core::Scene& scene) {
-  return any_tree(scene, [](const Tree& tree) { return !tree.loops.empty(); });
-}
-
-bool all_hung(const core::Scene& scene) {
-  return !any_tree(scene, [&](const Tree& tree) {
-    const core::Body& root = scene.bodies[at(tree.bodies[0])];
-    const core::Vector3 moments = core::principal_axes(root.inertia).moments;
-    const bool no_torque =
-        moments.maxCoeff() == moments.minCoeff() || root.initial.angular_velocity.isZero(0);
-    const bool alone = tree.bodies.size() == 1;
-    return !tree.loops.empty() || (tree.places[0].joint < 0 && !(alone && no_torque));
-  });
-}
-
-std::optional<std::string> untreelike(const core::Scene& scene) {
-  const bool hinge_closes = any_tree(scene, [&](const Tree& tree) {
-    return std::ranges::any_of(tree.loops,
-                               [&](int j) { return scene.joints[at(j)].type == core::JointType::hinge; });
-  });
-  if (hinge_closes)
-    return "btMultiBody has no hinge constraint that closes a loop (BulletDynamics/Featherstone/, ball, "
-           "fixed and "
-           "slider), and this adapter makes none of two balls.";
-  return std::nullopt;
-}
-
 void make_multibody(const core::Scene& scene, const Tree& tree, const std::vector<Placing>& placings,
-                    const BulletSettings& settings, btMultiBodyDynamicsWorld& world,
+                    const BulletSettings& settings, double dt, btMultiBodyDynamicsWorld& world,
                     std::vector<std::unique_ptr<BulletBody>>& bodies,
-                    std::vector<std::unique_ptr<btMultiBodyConstraint>>& loops) {
+                    std::vector<std::unique_ptr<btMultiBodyConstraint>>& constraints) {
   const auto body = std::make_shared<TreeBody>(scene, tree, placings, settings, world);
   for (std::size_t i = 0; i < tree.bodies.size(); ++i) {
     const int of_scene = tree.bodies[i];
@@ -356,19 +306,38 @@ void make_multibody(const core::Scene& scene, const Tree& tree, const std::vecto
     return End{body->link(static_cast<std::size_t>(place)),
                pose_to_bullet(scene.bodies[at(of_scene)], placings[at(of_scene)].principal)};
   };
+  const auto add = [&](std::unique_ptr<btMultiBodyConstraint> constraint, btScalar most) {
+    constraint->setMaxAppliedImpulse(most);  // 100 N s by itself
+    world.addMultiBodyConstraint(constraint.get());
+    constraints.push_back(std::move(constraint));
+  };
+  // The coordinate of a link is that of its body against its parent, 0 at the start.
+  for (std::size_t i = 0; i < tree.places.size(); ++i) {
+    if (tree.places[i].joint < 0) continue;
+    const core::Joint& joint = scene.joints[at(tree.places[i].joint)];
+    core::JointCoordinate c = coordinate_of(joint);
+    if (joint.body != tree.bodies[i]) core::reverse(c);
+    if (core::has_limit(c))
+      add(std::make_unique<btMultiBodyJointLimitConstraint>(
+              &body->multibody(), body->link(i), c.lower ? to_bullet(*c.lower - c.start) : -no_stop,
+              c.upper ? to_bullet(*c.upper - c.start) : no_stop),
+          BT_LARGE_FLOAT);
+    if (c.friction != 0) {
+      const btScalar most = to_bullet(c.friction * dt);
+      add(std::make_unique<btMultiBodyJointMotor>(&body->multibody(), body->link(i), 0, most), most);
+    }
+  }
   for (const int j : tree.loops) {
     const core::Joint& joint = scene.joints[at(j)];
     const bool turned = still(scene, joint.body);
     const End a = end(turned ? joint.to : joint.body);
     const int other = turned ? joint.body : joint.to;
     if (still(scene, other)) {
-      loops.push_back(closing(joint, body->multibody(), a, nullptr));
+      add(closing(joint, body->multibody(), a, nullptr), BT_LARGE_FLOAT);
     } else {
       const End b = end(other);
-      loops.push_back(closing(joint, body->multibody(), a, &b));
+      add(closing(joint, body->multibody(), a, &b), BT_LARGE_FLOAT);
     }
-    loops.back()->setMaxAppliedImpulse(BT_LARGE_FLOAT);  // 100 N s by itself
-    world.addMultiBodyConstraint(loops.back().get());
   }
 }
 

@@ -5,6 +5,8 @@ namespace {
 
 bool bounces(const BulletKind& kind) { return kind.bounces; }
 bool touches(const BulletKind& kind) { return kind.touches; }
+bool presses(const BulletKind& kind) { return kind.touches || kind.stops; }
+bool stops_alone(const BulletKind& kind) { return kind.stops && !kind.loops; }
 bool wide(const BulletKind& kind) { return kind.wide(); }
 constexpr const char* a_pair_bounces = "where a pair bounces";
 constexpr const char* may_touch = "where bodies may touch";
@@ -42,6 +44,13 @@ const BulletRule rules[] = {
      a_pair_bounces,
      "multibody contacts have no split impulse, so any correction adds energy to a bounce"},
 
+    {{"multibody"},
+     "erp",
+     "0",
+     stops_alone,
+     "where joints have stops and close no loops",
+     "the correction of what goes past a stop is a rate that nothing takes back"},
+
     {{"as-expert"}, "damping", "0", expert_takes_multibody, "with btMultiBody", no_damping},
     {{"as-expert"},
      "max-coordinate-velocity",
@@ -67,7 +76,12 @@ const BulletRule rules[] = {
      touches,
      may_touch,
      "a box on a plane needs its corners in the first step"},
-    {{"as-expert"}, "iterations", "200", touches, may_touch, "10 sweeps leave stacks and friction unsolved"},
+    {{"as-expert"},
+     "iterations",
+     "200",
+     presses,
+     "where bodies may touch or joints have stops",
+     "10 sweeps leave stacks, friction and stops unsolved"},
     {{"as-expert"},
      "breaking-threshold",
      "0.1",

@@ -30,9 +30,10 @@ bool expert_takes_multibody(const BulletKind&);
 
 /// The same in words.
 inline constexpr const char* expert_multibody =
-    "btMultiBody with runge-kutta-4 where nothing touches, no force but gravity and drag acts, every moving "
-    "body hangs from the world by joints or has no gyroscopic torque, and masses are within a factor of "
-    "1000; "
-    "else btRigidBody";
+    "btMultiBody with runge-kutta-4 where nothing touches, no force but gravity, drag and dampers of joints "
+    "acts, every "
+    "moving body hangs from the world by joints without stops and dry friction or has no gyroscopic torque, "
+    "and masses "
+    "are within a factor of 1000; else btRigidBody";
 
 }  // namespace cylon::simulators

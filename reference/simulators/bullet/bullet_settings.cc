@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -126,8 +127,27 @@ core::Setting setting(const BulletSettings& settings, const std::string& option,
 }
 
 core::Setting no_limit_of_loops() {
-  return {"setMaxAppliedImpulse of joints that close a loop", "no limit", "100 N s",
+  return {"setMaxAppliedImpulse of joints that close a loop, and of stops", "no limit", "100 N s",
           "a joint must hold whatever pulls at it"};
+}
+
+// How a stop of a joint between rigid bodies gives back the rate that the scene says.
+std::vector<core::Setting> stops(bool whole) {
+  std::vector<core::Setting> all = {
+      {"bias factor of hinge stops", "1", "0.3", "it multiplies the rate after the stop"}};
+  if (!whole) return all;
+  all.push_back(
+      {"setUseFrameOffset of hinges with stops", "off", "on",
+       "with it, a stop takes no account of the arm of a body that hangs from what stands still, and takes "
+       "its momentum"});
+  all.push_back(
+      {"m_stopERP of stops of hinges and of sliders between two bodies that move", "0", "m_erp",
+       "the correction of what goes past a stop is a rate that nothing takes back: up to a fifth of that of "
+       "the impact"});
+  all.push_back(
+      {"m_stopERP of other stops", "1", "m_erp",
+       "they act before they are reached: with less they brake over many steps, and nothing bounces"});
+  return all;
 }
 
 // Bullet's own values, for bodies of one sort.
@@ -149,7 +169,11 @@ core::Path path(const char* name, std::string summary, std::vector<std::string> 
     const std::string where = *rule.where ? fmt::format("{}: ", rule.where) : "";
     result.settings.push_back(setting(settings, rule.option, where + rule.reason));
   }
-  if (std::string_view(name) == "multibody") result.settings.push_back(no_limit_of_loops());
+  if (std::string_view(name) == "multibody") {
+    result.settings.push_back(no_limit_of_loops());
+  } else {
+    std::ranges::copy(stops(std::string_view(name) != "as-shipped"), std::back_inserter(result.settings));
+  }
   return result;
 }
 
@@ -216,7 +240,9 @@ core::Engine bullet_engine(std::string version, std::string precision) {
        "loops, "
        "applied forces or a free base that turns"},
   };
-  engine.knows = {"collision_filters", "frame_acceleration", "body_gravity", "joint_forces", "joint_targets"};
+  engine.knows = {"collision_filters",  "frame_acceleration", "body_gravity",     "slider_joints",
+                  "cylindrical_joints", "planar_joints",      "universal_joints", "joint_forces",
+                  "joint_targets",      "joint_limits",       "joint_friction"};
   for (const Word& word : words)
     engine.options.push_back({word.option, word.of_rigid, word.of_rigid.front(), word.meaning});
   for (const Knob& k : knobs())
@@ -234,6 +260,7 @@ BulletSettings bullet_settings(const core::Engine& engine, const core::Setup& se
   const bool by_expert = path == "as-expert";
   BulletSettings settings = own(path == "multibody" || (by_expert && expert_takes_multibody(kind)));
   settings.path = path;
+  settings.whole_stops = path != "as-shipped";
 
   Chosen chosen;
   for (const BulletRule& rule : bullet_rules())
@@ -273,7 +300,10 @@ BulletSettings bullet_settings(const core::Engine& engine, const core::Setup& se
     }
     settings.terms.settings.push_back(one);
   }
-  if (settings.multibody && kind.loops) settings.terms.settings.push_back(no_limit_of_loops());
+  if (settings.multibody && (kind.loops || kind.stops))
+    settings.terms.settings.push_back(no_limit_of_loops());
+  if (!settings.multibody && kind.stops)
+    std::ranges::copy(stops(settings.whole_stops), std::back_inserter(settings.terms.settings));
   settings.terms.unforceable = settings.multibody ? unforceable_multibody() : unforceable_rigid();
   return settings;
 }

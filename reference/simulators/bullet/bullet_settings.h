@@ -18,7 +18,8 @@ struct BulletSettings {
   std::string gyroscopic;                ///< "implicit-body", "implicit-world", "explicit" or "none".
   std::string solver;                    ///< "sequential-impulse", "nncg" or "dantzig".
   std::map<std::string, double> number;  ///< Every numeric option by its name.
-  core::Terms terms;                     ///< The same for the reports.
+  bool whole_stops = true;  ///< Stops of joints between rigid bodies bounce as stated: whole_stops().
+  core::Terms terms;        ///< The same for the reports.
 
   /// Why this path cannot do what the run asks for on this scene; empty: it can.
   std::optional<std::string> refused;
@@ -31,9 +32,11 @@ core::Engine bullet_engine(std::string version, std::string precision);
 
 /// What the paths look at in a scene.
 struct BulletKind : core::SceneKind {
-  bool tree = false;   ///< Nothing touches; every moving body hangs from the world by joints of btMultiBody
-                       ///< or has no gyroscopic torque; and no force but gravity and drag acts.
+  bool tree = false;  ///< Nothing touches; every moving body hangs from the world by joints of btMultiBody
+                      ///< or has no gyroscopic torque; no force but gravity, drag and dampers of joints acts,
+                      ///< and no joint has limits or dry friction.
   bool loops = false;  ///< Joints close a loop, of btMultiBody.
+  bool stops = false;  ///< Joints have limits.
   bool swept = false;  ///< Some body has a shape that continuous collision detection sweeps.
   int rk4_order = 4;   ///< Of btMultiBody's Runge-Kutta 4.
 };
