@@ -6,6 +6,7 @@
 #include "harness/imports/program.h"
 #include "harness/imports/scenario_text.h"
 #include "harness/imports/steps.h"
+#include "harness/imports/xml_check.h"
 #include "harness/scenario/scenario.h"
 
 #include <fmt/format.h>
@@ -17,8 +18,6 @@ namespace cylon::imports {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t most_bodies = 20'000;
 
 foreign::Model model_of(const Format& format, const nlohmann::json& said, const Options& options,
                         const fs::path& file) {
