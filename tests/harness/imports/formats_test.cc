@@ -304,6 +304,17 @@ TEST(Options, OfAnotherFormatAreRefused) {
   EXPECT_EQ(refusal(file, {.fixed_base = true, .roots = {"/tmp"}}), "none");
 }
 
+TEST(Warnings, OfTheLibraryAreTold) {
+  const fs::path file = data("arm.xml");
+  REQUIRE_LIBRARY(file);
+  nlohmann::json json = read_by(*format_of(file), file, {}, programs);
+  json["warnings"] = {"the mass is large"};
+  const foreign::Model model = model_of_mjcf(Compiled(json));
+  EXPECT_TRUE(std::ranges::any_of(model.losses, [](const foreign::Loss& loss) {
+    return loss.what == "warning" && loss.detail == "the mass is large";
+  }));
+}
+
 // MuJoCo and libsdformat read a URDF in part: links, joints and couplings were gone without a word.
 TEST(WrongEnding, IsRefusedByTheRootElement) {
   const TemporaryFolder folder;
