@@ -28,10 +28,9 @@ using core::Vector3;
 // Of numbers of the size of 1: products of quaternions, and what a compiler makes of an inertia.
 constexpr double rounding = 1e-13;
 
-const fs::path programs = binary_dir;
-
 struct Case {
   const char *name, *toml, *ending;
+  bool older = false;  // MuJoCo 2.2.2, whose compiler turns an inertia by iterations that stop early
 };
 
 class RoundTrip : public testing::TestWithParam<Case> {
@@ -40,6 +39,11 @@ class RoundTrip : public testing::TestWithParam<Case> {
     const TemporaryFolder folder;
     const fs::path file = folder.path() / (std::string(GetParam().name) + GetParam().ending);
     const imports::Format& format = *imports::format_of(file);
+    fs::path programs = binary_dir;
+    if (GetParam().older) {
+      fs::create_symlink(programs / format.program, folder.path() / format.program);
+      programs = folder.path();
+    }
     if (!fs::exists(imports::program_of(format, programs)))
       GTEST_SKIP() << format.program << " is not built: " << format.package;
     before_ = scenario::parse(GetParam().toml, "before.toml");
@@ -165,9 +169,10 @@ TEST_P(RoundTrip, KeepsGravityAndTheStep) {
 INSTANTIATE_TEST_SUITE_P(
     Scenes, RoundTrip,
     testing::Values(Case{"machine", scenes::machine, ".xml"}, Case{"moving", scenes::moving, ".xml"},
-                    Case{"loop", scenes::loop, ".xml"}, Case{"contacts", scenes::contacts, ".xml"},
-                    Case{"robot", scenes::robot, ".sdf"}, Case{"loop", scenes::loop, ".sdf"},
-                    Case{"bounces", scenes::bounces, ".sdf"}),
+                    Case{"loop", scenes::loop, ".xml"}, Case{"nearly_round", scenes::nearly_round, ".xml"},
+                    Case{"nearly_round_in_2_", scenes::nearly_round, ".xml", true},
+                    Case{"contacts", scenes::contacts, ".xml"}, Case{"robot", scenes::robot, ".sdf"},
+                    Case{"loop", scenes::loop, ".sdf"}, Case{"bounces", scenes::bounces, ".sdf"}),
     [](const auto& test) { return std::string(test.param.name) + (test.param.ending + 1); });
 
 }  // namespace

@@ -153,6 +153,36 @@ conserves = "joint_gap"
 tolerance = {absolute = 0.001, reason = "convention: a millimetre"}
 )";
 
+// Moments that are nearly equal about axes that are none of the body's, and a flat body.
+inline constexpr const char* nearly_round = R"(
+title    = "nearly round"
+duration = 1.0
+step     = 0.001
+gravity  = [0.0, -9.81, 0.0]
+
+[[body]]
+name = "round"
+position = [0.3, 1.1, -0.4]
+mass = 1.3
+inertia = [0.07774904, -0.0303768643, 0.0275564194, -0.0303768643, 0.0634548204, 0.0303768643, 0.0275564194, 0.0303768643, 0.077661045]
+
+[[body]]
+name = "rod"
+position = [2.2, 0.0, 0.0]
+mass = 0.9
+inertia = [0.3, 1e-6, 0.0, 1e-6, 0.3, 0.0, 0.0, 0.0, 0.01]
+
+[[body]]
+name = "plate"
+position = [4.2, 0.0, 0.0]
+mass = 0.9
+inertia = [0.26, 0.06, 0.0, 0.06, 0.39, 0.0, 0.0, 0.0, 0.65]
+
+[[claim]]
+conserves = "energy"
+tolerance = {relative = 0.01, reason = "convention: a hundredth"}
+)";
+
 // A chain of hinges that a ball closes, and a body fixed to it.
 inline constexpr const char* loop = R"(
 title    = "loop"
