@@ -79,6 +79,13 @@ foreign::Model SdfReader::read() {
       return "";
     }
   });
+  read_file(config);
+  check_warnings(config);
+  add_meetings();
+  return std::move(model_);
+}
+
+void SdfReader::read_file(const sdf::ParserConfig& config) {
   sdf::Root root;
   require(root.Load(file_, config));
   model_.library = "libsdformat " SDF_VERSION_FULL;
@@ -95,9 +102,6 @@ foreign::Model SdfReader::read() {
     throw Refused("it holds neither a world nor a model");
   }
   check_elements(root.Element(), 1);
-  check_warnings(config);
-  add_meetings();
-  return std::move(model_);
 }
 
 void SdfReader::read_world(const sdf::World& world) {
