@@ -12,6 +12,8 @@
 #include "harness/core/overloaded.h"
 #include "harness/core/surfaces.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -221,11 +223,19 @@ class Writer {
     Element& inertial = add(element, "inertial");
     set(inertial, "pos", "0 0 0"), set(inertial, "mass", body.mass);
     const core::Matrix3 i = z_up(body.inertia);
-    if (i.isDiagonal(0))
+    if (i.isDiagonal(0)) {
       set(inertial, "diaginertia", Vector3(i.diagonal()));
-    else
-      set(inertial, "fullinertia",
-          fmt::format("{} {} {} {} {} {}", i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2)));
+      return;
+    }
+    // I = R diag(moments) R^T, moments ascending.  Not fullinertia: where moments are nearly equal, mju_eig3 of MuJoCo
+    // 2.2.2 stops at off-diagonals of a millionth.
+    const Eigen::SelfAdjointEigenSolver<core::Matrix3> axes(i);
+    core::Matrix3 r = axes.eigenvectors();
+    if (r.determinant() < 0) r.col(0) = -r.col(0);
+    Vector3 moments = axes.eigenvalues();
+    moments[2] =
+        std::min(moments[2], moments[0] + moments[1]);  // of a flat body the sum, for MuJoCo to the last bit
+    set(inertial, "diaginertia", moments), set(inertial, "quat", text_of(Quaternion(r).normalized()));
   }
 
   void add_geom(const core::Body& body, int number, const core::Part& part, Element& element) const {
@@ -262,10 +272,13 @@ class Writer {
     const Quaternion back = z_up(body.orientation).conjugate();
     for (std::size_t k = 0; k < motions.size(); ++k) {
       const Motion& m = motions[k];
-      const std::string name =
-          unique(joint.name.empty() ? fmt::format("joint {}", number) : joint.name, names_);
       Element& made = add(element, "joint");
-      set(made, "name", name), set(made, "type", m.type);
+      // One name a joint of a scene, but for what an actuator must name.
+      const bool is_named = k == 0 || (m.acts && m.acts->force != 0);
+      const std::string name =
+          is_named ? unique(joint.name.empty() ? fmt::format("joint {}", number) : joint.name, names_) : "";
+      if (is_named) set(made, "name", name);
+      set(made, "type", m.type);
       set(made, "pos", Vector3(back * (z_up(joint.point) - z_up(body.position))));
       if (std::string_view(m.type) == "ball") {
         positions_.insert(positions_.end(), {1, 0, 0, 0});

@@ -1,5 +1,5 @@
 // A scene as a world of SDFormat 1.9: what moves is one model, in which links touch each other; each locked body and each
-// plane is a static model.
+// plane is a static model.  A name "arm::hand" is a link of a nested model, so that what an import named comes back.
 #include "harness/exports/sdformat.h"
 
 #include "harness/exports/parts.h"
@@ -11,9 +11,11 @@
 #include "harness/core/overloaded.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace cylon::exports {
 namespace {
@@ -59,6 +61,42 @@ void add_surface(Element& collision, const Surface& surface) {
   if (surface.restitution != 0) add(add(made, "bounce"), "restitution_coefficient", surface.restitution);
 }
 
+// The parts of "arm::hand", which are names of models and at last of a link.
+std::vector<std::string> parts_of_name(const char* table, const std::string& name) {
+  std::vector<std::string> parts;
+  for (std::size_t at = 0; at <= name.size();) {
+    const std::size_t end = std::min(name.find("::", at), name.size());
+    parts.push_back(name.substr(at, end - at));
+    at = end + 2;
+  }
+  for (const std::string& part : parts)
+    if (parts.size() > 1 &&
+        (part.empty() || part == "world" || (part.starts_with("__") && part.ends_with("__"))))
+      throw Unsayable{table, name, "name",
+                      fmt::format("'::' is between the names of models and links, and '{}' is none", part)};
+  return parts;
+}
+
+// A model and those that are nested in it.
+struct Scope {
+  Element* model = nullptr;
+  std::string path;             ///< From the outermost, "" or "arm::".
+  std::set<std::string> taken;  ///< Names of links, joints and models, which SDFormat counts as one kind.
+  std::map<std::string, Scope> inner{};
+
+  // The nested model of a name, made where it is not there.
+  Scope& nested(const std::string& name) {
+    const auto [found, is_new] = inner.try_emplace(name);
+    Scope& scope = found->second;
+    if (!is_new) return scope;
+    const std::string own = unique(name, taken);
+    scope.model = &add(*model, "model");
+    scope.path = path + own + "::";
+    set(*scope.model, "name", own), add(*scope.model, "self_collide", "true");
+    return scope;
+  }
+};
+
 class Writer {
  public:
   explicit Writer(const scenario::Scenario& scenario)
@@ -77,24 +115,18 @@ class Writer {
     add(physics, "max_step_size", scenario_.step), add(physics, "real_time_factor", "1");
     add(world, "gravity", z_up(core::gravity(scene_)));
     for (std::size_t i = 0; i < scene_.planes.size(); ++i) add_plane(i, world);
-    std::set<std::string> models;  // and the names inside the moving one
-    for (const core::Plane& plane : scene_.planes) models.insert(plane.name);
-    for (const core::Body& body : scene_.bodies) (body.locked ? models : inside_).insert(body.name);
+    for (const core::Plane& plane : scene_.planes) models_.insert(plane.name);
+    for (std::size_t i = 0; i < scene_.bodies.size(); ++i)
+      if (scene_.bodies[i].locked) add_locked(i, world);
+    const std::string whole = model_of_all();
     Element moving;
-    set(moving, "name", unique("scene", models));
+    moving_.model = &moving;
+    set(moving, "name", unique(whole.empty() ? "scene" : whole, models_));
     add(moving, "self_collide", "true");
+    references_.resize(scene_.bodies.size());
     bool any = false;
-    for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
-      const core::Body& body = scene_.bodies[i];
-      if (body.locked) {
-        Element& model = add(world, "model");
-        set(model, "name", body.name), add(model, "static", "true");
-        add_link(i, "link", model);
-      } else {
-        any = true;
-        add_link(i, body.name, moving);
-      }
-    }
+    for (std::size_t i = 0; i < scene_.bodies.size(); ++i)
+      if (!scene_.bodies[i].locked) any = true, add_moving(i, whole.empty() ? 0 : 1);
     for (const Joint& joint : scene_.joints) add_joint(joint, moving);
     if (any) add(world, "model") = moving;
     return {document(root), {}};
@@ -115,8 +147,46 @@ class Writer {
                         "it has one mask for both sides of a pair"};
   }
 
+  // The model that all moving bodies are in by their names, where no other has its name; "": none.
+  std::string model_of_all() const {
+    std::string model;
+    for (const core::Body& body : scene_.bodies) {
+      if (body.locked) continue;
+      const std::vector<std::string> parts = parts_of_name("body", body.name);
+      if (parts.size() < 2 || (!model.empty() && parts.front() != model)) return "";
+      model = parts.front();
+    }
+    return models_.contains(model) ? "" : model;
+  }
+
+  // "box::link" is the link of the model 'box', and so is "box".
+  void add_locked(std::size_t i, Element& world) {
+    std::vector<std::string> parts = parts_of_name("body", scene_.bodies[i].name);
+    if (parts.size() == 1) parts.emplace_back("link");
+    const auto [found, is_new] = locked_.try_emplace(parts.front());
+    Scope* scope = &found->second;
+    if (is_new) {
+      scope->model = &add(world, "model");
+      set(*scope->model, "name", unique(parts.front(), models_)), add(*scope->model, "static", "true");
+    }
+    for (std::size_t k = 1; k + 1 < parts.size(); ++k) scope = &scope->nested(parts[k]);
+    add_link(i, unique(parts.back(), scope->taken), *scope->model);
+  }
+
+  // Its link, in the models that its name tells from the part `first` on.
+  void add_moving(std::size_t i, std::size_t first) {
+    const std::vector<std::string> parts = parts_of_name("body", scene_.bodies[i].name);
+    Scope* scope = &moving_;
+    for (std::size_t k = first; k + 1 < parts.size(); ++k) scope = &scope->nested(parts[k]);
+    const std::string name = unique(parts.back(), scope->taken);
+    references_[i] = scope->path + name;
+    add_link(i, name, *scope->model);
+  }
+
   void add_plane(std::size_t i, Element& world) const {
     const core::Plane& plane = scene_.planes[i];
+    if (parts_of_name("plane", plane.name).size() > 1)
+      throw Unsayable{"plane", plane.name, "name", "'::' is between the names of a model and of its links"};
     Element& model = add(world, "model");
     set(model, "name", plane.name), add(model, "static", "true");
     Element& link = add(model, "link");
@@ -131,8 +201,6 @@ class Writer {
 
   void add_link(std::size_t i, const std::string& name, Element& model) const {
     const core::Body& body = scene_.bodies[i];
-    if (body.name.find("::") != std::string::npos)
-      throw Unsayable{"body", body.name, "name", "'::' is between the names of a model and of its links"};
     if (!body.initial.velocity.isZero(0) || !body.initial.angular_velocity.isZero(0))
       throw Unsayable{"body", body.name, body.initial.velocity.isZero(0) ? "angular_velocity" : "velocity",
                       "its worlds begin at rest"};
@@ -193,9 +261,12 @@ class Writer {
     const int to = other_end(scene_, joint);
     Element& made = add(model, "joint");
     const auto number = &joint - scene_.joints.data();
-    set(made, "name", unique(joint.name.empty() ? fmt::format("joint {}", number) : joint.name, inside_)),
+    const std::size_t last = joint.name.rfind("::");  // joints are all in the outermost model
+    const std::string own = last == std::string::npos ? joint.name : joint.name.substr(last + 2);
+    set(made, "name", unique(own.empty() ? fmt::format("joint {}", number) : own, moving_.taken)),
         set(made, "type", type);
-    add(made, "parent", name_of(scene_, to)), add(made, "child", name);
+    add(made, "parent", to == core::world ? "world" : references_[at(to)]);
+    add(made, "child", references_[at(joint.body)]);
     const core::BodyState& body = scene_.bodies[at(joint.body)].initial;
     add_pose(made, z_up(body.orientation).conjugate() * (z_up(joint.point) - z_up(body.position)),
              Quaternion::Identity());
@@ -239,7 +310,10 @@ class Writer {
   const scenario::Scenario& scenario_;
   const core::Scene& scene_;
   Surfaces surfaces_;
-  std::set<std::string> inside_;  ///< Names of links and joints, which SDFormat counts as one kind.
+  std::set<std::string> models_;         ///< Names of models of the world.
+  std::map<std::string, Scope> locked_;  ///< Static models.
+  Scope moving_;
+  std::vector<std::string> references_;  ///< Of each moving body, from the model that moves.
 };
 
 }  // namespace

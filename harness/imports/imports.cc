@@ -6,6 +6,7 @@
 #include "harness/imports/program.h"
 #include "harness/imports/scenario_text.h"
 #include "harness/imports/steps.h"
+#include "harness/imports/xml_check.h"
 #include "harness/scenario/scenario.h"
 
 #include <fmt/format.h>
@@ -18,12 +19,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_bodies = 20'000;
-
 foreign::Model model_of(const Format& format, const nlohmann::json& said, const Options& options,
                         const fs::path& file) {
   try {
     return format.name == "MJCF" ? model_of_mjcf(Compiled(said), options.keyframe) : foreign::from_json(said);
+  } catch (const NotFinite& error) {
+    throw core::InputError(file.string(), 0, 0, error.what());
   } catch (const nlohmann::json::exception& error) {  // a NaN, or a release that is unlike the others
     throw core::InputError(file.string(), 0, 0,
                            fmt::format("{} says what is no model: {}", format.program, error.what()));
@@ -88,6 +89,7 @@ Imported import_file(const fs::path& file, const Options& options, const fs::pat
   name_bodies(model);
   const core::Scene scene = scene_of(model);
   const std::vector<std::string> left_out = judge(model, options, file.string());
+  check_starts(model, file.string());
   return {scenario_text(model, scene, file, options.duration, left_out), left_out};
 }
 

@@ -32,9 +32,11 @@ using Freedoms = std::vector<Freedom>;
 
 bool parallel(const Freedom& a, const Freedom& b) { return a.axis.cross(b.axis).norm() < square; }
 
-// Three hinges at right angles leave every turn, but for those that they cannot pass (the middle one at 90 degrees).
+// Three hinges, the middle one at right angles to the others, leave every turn, but for those that they cannot pass (the
+// first and the third parallel).  Where they start so, two are left.
 bool leaves_every_turn(std::span<const Freedom> f) {
-  return at_right_angles(f[0], f[1]) && at_right_angles(f[1], f[2]) && std::ranges::none_of(f, acts);
+  return at_right_angles(f[0], f[1]) && at_right_angles(f[1], f[2]) && !parallel(f[0], f[2]) &&
+         std::ranges::none_of(f, acts);
 }
 
 bool leaves_every_place(std::span<const Freedom> f) {
@@ -110,6 +112,19 @@ void add_coordinates(const Joint& from, core::Joint& joint) {
   }
 }
 
+const Row* row_of(const Joint& joint) {
+  const std::string motions = motions_of(joint);
+  const auto row = std::ranges::find_if(
+      rows, [&](const Row& r) { return r.motions == motions && (!r.fits || r.fits(joint.freedoms)); });
+  return row == rows.end() ? nullptr : &*row;
+}
+
+core::InputError error_at(const Joint& joint, const std::string& file, const std::string& why) {
+  return {joint.place.file.empty() ? file : joint.place.file,
+          static_cast<unsigned>(std::max(joint.place.line, 0)), 0,
+          fmt::format("{}: {}", joint.place.element, why)};
+}
+
 // A spring or a damper of a scene gives no energy.
 void lose_what_feeds(const Joint& joint, Model& model) {
   for (const Freedom& f : joint.freedoms) {
@@ -125,12 +140,24 @@ void check_limits(Model& model, const std::string& file) {
   for (Joint& joint : model.joints) {
     for (const Freedom& f : joint.freedoms)
       if (f.lower && f.upper && *f.lower > *f.upper)
-        throw core::InputError(joint.place.file.empty() ? file : joint.place.file,
-                               static_cast<unsigned>(std::max(joint.place.line, 0)), 0,
-                               fmt::format("{}: its limits are {} and {}: the lower must be < the upper",
-                                           joint.place.element, *f.lower, *f.upper));
+        throw error_at(
+            joint, file,
+            fmt::format("its limits are {} and {}: the lower must be < the upper", *f.lower, *f.upper));
     std::erase_if(joint.freedoms,
                   [](const Freedom& f) { return f.lower && f.lower == f.upper && *f.lower == f.start; });
+  }
+}
+
+void check_starts(const Model& model, const std::string& file) {
+  for (const Joint& joint : model.joints) {
+    if (const Row* row = row_of(joint); !row || !row->type) continue;
+    for (const Freedom& f : joint.freedoms) {
+      const double lower = f.lower.value_or(-HUGE_VAL), upper = f.upper.value_or(HUGE_VAL);
+      if (!(lower <= f.start && f.start <= upper))
+        throw error_at(
+            joint, file,
+            fmt::format("it starts at {}, outside of its limits {} and {}", f.start, lower, upper));
+    }
   }
 }
 
@@ -139,11 +166,9 @@ std::vector<core::Joint> joints_of(Model& model) {
   const std::vector<Joint> all = model.joints;
   std::set<std::string> taken;
   for (const Joint& joint : all) {
-    const std::string motions = motions_of(joint);
-    const auto row = std::ranges::find_if(
-        rows, [&](const Row& r) { return r.motions == motions && (!r.fits || r.fits(joint.freedoms)); });
-    if (row == rows.end()) {
-      model.losses.push_back({"joint_kind", joint.place, motions});
+    const Row* row = row_of(joint);
+    if (!row) {
+      model.losses.push_back({"joint_kind", joint.place, motions_of(joint)});
       continue;
     }
     lose_what_feeds(joint, model);
@@ -151,11 +176,14 @@ std::vector<core::Joint> joints_of(Model& model) {
     core::Joint& result = joints.emplace_back();
     result.type = *row->type;
     result.body = joint.body, result.to = joint.to, result.point = joint.point;
-    if (!joint.name.empty() && taken.insert(legal_name(joint.name)).second)
-      result.name = legal_name(joint.name);
+    if (const std::string name = legal_name(joint.name); !joint.name.empty() && taken.insert(name).second)
+      result.name = name;
+    if (result.name != joint.name)
+      model.losses.push_back(
+          {"name", joint.place, result.name.empty() ? "none here" : fmt::format("'{}' here", result.name)});
     if (row->axis >= 0) result.axis = joint.freedoms[static_cast<std::size_t>(row->axis)].axis;
     if (row->axis_2 >= 0) result.axis_2 = joint.freedoms[static_cast<std::size_t>(row->axis_2)].axis;
-    if (motions == "screw") result.pitch = joint.freedoms.front().pitch;
+    if (result.type == JointType::screw) result.pitch = joint.freedoms.front().pitch;
     add_coordinates(joint, result);
   }
   return joints;

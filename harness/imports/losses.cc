@@ -32,7 +32,9 @@ constexpr std::array kinds = {
     LossKind{"mocap", left_out, "the body stays where it is: nothing in a scene leads it"},
     LossKind{"effort", left_out, "limits of effort and speed bound a drive, and nothing drives the joint"},
     LossKind{"transmission", left_out, "gears and controllers act when they are commanded"},
-    LossKind{"custom", left_out, "an element that the format does not know"},
+    LossKind{"custom", left_out, "an element or attribute that the format does not know"},
+    LossKind{"unused", left_out, "the format gives it no effect on a joint of this kind"},
+    LossKind{"warning", left_out, "the library of the format warns of it"},
     // ---- How an engine solves ----------------------------------------------------------------------------
     LossKind{"soft_constraints", left_out,
              "contacts, limits and closed loops of MuJoCo yield (solref, solimp); those of a scene do not"},
@@ -44,7 +46,8 @@ constexpr std::array kinds = {
     LossKind{"assumed", left_out, "the format does not say it"},
     LossKind{"joined_contact", left_out, "bodies that a joint ties do not touch each other in a scene"},
     LossKind{"name", left_out,
-             "names of a scene are unique, are not 'world', and have no quotes, commas, * and ?"},
+             "names of a scene are unique, are not 'world', and have no quotes, commas, * and ?; a joint has "
+             "one"},
     // ---- Would move otherwise ----------------------------------------------------------------------------
     LossKind{"armature", refused,
              "a scene has no inertia of a rotor between two bodies, and this is more than a tenth of what "

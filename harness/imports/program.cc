@@ -1,7 +1,7 @@
 #include "harness/imports/program.h"
 
 #include "harness/core/input_error.h"
-#include "harness/imports/xml_depth.h"
+#include "harness/imports/xml_check.h"
 #include "harness/input/json.h"
 #include "harness/process/child.h"
 #include "harness/process/sandbox.h"
@@ -24,9 +24,20 @@ constexpr std::size_t memory = std::size_t{4} << 30;            // [bytes]
 constexpr std::size_t largest_answer = std::size_t{256} << 20;  // [bytes]
 
 constexpr std::array formats = {
-    Format{"MJCF", "cylon-import-mjcf", "libmujoco-dev", "cylon-import-mujoco3"},
-    Format{"SDFormat", "cylon-import-sdformat", "libsdformat-dev"},
-    Format{"URDF", "cylon-import-urdf", "liburdfdom-dev"},
+    Format{"MJCF", "cylon-import-mjcf", "libmujoco-dev", "body", "cylon-import-mujoco3"},
+    Format{"SDFormat", "cylon-import-sdformat", "libsdformat-dev", "link"},
+    Format{"URDF", "cylon-import-urdf", "liburdfdom-dev", "link"},
+};
+
+// Which format a root element is of, and the ending of its files.
+struct Root {
+  std::string_view element, format, ending;
+};
+constexpr std::array roots = {
+    Root{"mujoco", "MJCF", ".xml"},
+    Root{"mujocoinclude", "MJCF", ".xml"},
+    Root{"sdf", "SDFormat", ".sdf"},
+    Root{"robot", "URDF", ".urdf"},
 };
 
 // The last lines of what the library said, in one, without colours.
@@ -55,6 +66,24 @@ std::vector<std::string> command_of(const Format& format, const fs::path& file, 
   return words;
 }
 
+// MuJoCo and libsdformat read a URDF by rules of their own: they leave joints, couplings and massless links out.
+void refuse_other_root(const Format& format, const XmlFacts& facts, const std::string& file) {
+  const auto root = std::ranges::find(roots, facts.root, &Root::element);
+  if (root == roots.end() || root->format == format.name) return;
+  throw core::InputError(file, facts.line, facts.column,
+                         fmt::format("<{}> is the root of a file of {}, and this one's ending is that of {}: "
+                                     "name it {}",
+                                     facts.root, root->format, format.name, root->ending));
+}
+
+// What the program reads, or why it does not.
+XmlFacts checked(const Format& format, const std::string& text, const std::string& file) {
+  const XmlFacts facts = require_small_xml(text, file, format.body);
+  refuse_other_root(format, facts, file);
+  if (format.name == "MJCF") require_no_nan(text, file);
+  return facts;
+}
+
 }  // namespace
 
 const Format* format_of(const fs::path& file) {
@@ -71,7 +100,8 @@ fs::path program_of(const Format& format, const fs::path& programs) {
 
 nlohmann::json read_by(const Format& format, const fs::path& file, const Options& options,
                        const fs::path& programs) {
-  require_shallow_xml(scenario::read_file(file), file.string());  // and it is a file, and not too large
+  const XmlFacts facts =
+      checked(format, scenario::read_file(file), file.string());  // and it is a file, and not too large
   const auto fail = [&](const std::string& why) -> core::InputError {
     return core::InputError(file.string(), 0, 0, why);
   };
@@ -103,7 +133,8 @@ nlohmann::json read_by(const Format& format, const fs::path& file, const Options
                      : fmt::format("the library of {} {}", format.name, end.what()));
     }
   } catch (const process::Failure& failure) {
-    throw fail(fmt::format("the library of {}: {}", format.name, failure.what()));
+    throw fail(fmt::format("the library of {}: {}; the file has {} elements <{}>", format.name,
+                           failure.what(), facts.bodies, format.body));
   }
   try {
     return input::parse_json(answer);

@@ -7,10 +7,10 @@
 
 namespace cylon::imports {
 
-/// Of one format (harness/scenario/foreign.h): the program, the Debian package of its library, and a program with a
-/// newer library, which goes first where it is here.
+/// Of one format (harness/scenario/foreign.h): the program, the Debian package of its library, the element that is a body,
+/// and a program with a newer library, which goes first where it is here.
 struct Format {
-  std::string_view name, program, package, newer = {};
+  std::string_view name, program, package, body, newer = {};
 };
 
 /// The program of the two that reads the format here; a path that does not exist where none does.
@@ -19,7 +19,8 @@ std::filesystem::path program_of(const Format&, const std::filesystem::path& pro
 /// Null for a file of none.
 const Format* format_of(const std::filesystem::path&);
 
-/// What the program says of the file.  Throws core::InputError.
+/// What the program says of the file.  Throws core::InputError; at a file whose root is that of another format before the
+/// program sees it, since each of the libraries takes another's files in part.
 nlohmann::json read_by(const Format&, const std::filesystem::path& file, const Options&,
                        const std::filesystem::path& programs);
 

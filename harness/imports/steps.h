@@ -33,6 +33,9 @@ std::string legal_name(std::string);
 /// limit is above the upper.
 void check_limits(foreign::Model&, const std::string& file);
 
+/// Throws core::InputError at a joint of the scene that starts outside of its limits.
+void check_starts(const foreign::Model&, const std::string& file);
+
 /// The joints of the scene, of the kinds that it has; the rest is added to the losses.
 std::vector<core::Joint> joints_of(foreign::Model&);
 

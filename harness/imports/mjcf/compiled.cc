@@ -51,7 +51,7 @@ bool Compiled::any(const char* array, int row, int rows) const {
 double Compiled::number(const char* array, int i, double otherwise) const {
   const nlohmann::json& arrays = json_.at("arrays");
   const auto found = arrays.find(array);
-  return found == arrays.end() ? otherwise : found->at(at(i)).get<double>();
+  return found == arrays.end() ? otherwise : entry("arrays", array, at(i));
 }
 
 int Compiled::integer(const char* array, int i, int otherwise) const {
@@ -66,16 +66,51 @@ std::size_t Compiled::length(const char* array) const {
   return found == arrays.end() ? 0 : found->size();
 }
 
-foreign::Vector3 Compiled::vector(const nlohmann::json& numbers, int row) {
-  const std::size_t first = 3 * at(row);
-  return {numbers.at(first).get<double>(), numbers.at(first + 1).get<double>(),
-          numbers.at(first + 2).get<double>()};
+// JSON has no NaN and no infinity: they come as null.
+double Compiled::finite(const nlohmann::json& number, const std::string& where) {
+  if (number.is_null()) throw NotFinite(where + " is not finite");
+  return number.get<double>();
 }
 
-foreign::Quaternion Compiled::quaternion(const nlohmann::json& numbers, int row) {
+double Compiled::entry(const char* group, const char* array, std::size_t i) const {
+  const nlohmann::json &numbers = json_.at(group).at(array), &number = numbers.at(i);
+  return finite(number,
+                number.is_null() ? fmt::format("{}: {}", owner(array, i, numbers.size()), array) : array);
+}
+
+foreign::Vector3 Compiled::vector(const char* group, const char* array, int row) const {
+  const std::size_t first = 3 * at(row);
+  return {entry(group, array, first), entry(group, array, first + 1), entry(group, array, first + 2)};
+}
+
+foreign::Quaternion Compiled::quaternion(const char* group, const char* array, int row) const {
   const std::size_t first = 4 * at(row);
-  return {numbers.at(first).get<double>(), numbers.at(first + 1).get<double>(),
-          numbers.at(first + 2).get<double>(), numbers.at(first + 3).get<double>()};
+  return {entry(group, array, first), entry(group, array, first + 1), entry(group, array, first + 2),
+          entry(group, array, first + 3)};
+}
+
+// Whose entry i of an array of the length is: arrays have rows of one length, one row an element.
+std::string Compiled::owner(std::string_view array, std::size_t i, std::size_t length) const {
+  const struct {
+    std::string_view prefix;
+    const char* kind;
+  } rows[] = {{"body_", "body"},   {"jnt_", "joint"},     {"geom_", "geom"},         {"pair_", "pair"},
+              {"eq_", "equality"}, {"tendon_", "tendon"}, {"actuator_", "actuator"}, {"xpos", "body"},
+              {"xquat", "body"},   {"xipos", "body"},     {"velocities", "body"},    {"xanchor", "joint"},
+              {"xaxis", "joint"}};
+  for (const auto& [prefix, kind] : rows)
+    if (const std::size_t rows_of = at(count(kind)); array.starts_with(prefix) && rows_of > 0)
+      return place(kind, static_cast<int>(i / std::max(length / rows_of, std::size_t{1}))).element;
+  // Coordinates and velocities: of the last joint that begins at or before them.
+  const bool of_motion = array.starts_with("dof_");
+  if (!of_motion && !array.starts_with("qpos")) return "model";
+  const std::size_t columns =
+      of_motion ? std::max(length / std::max(at(size("nv")), std::size_t{1}), std::size_t{1}) : 1;
+  int joint = 0;
+  while (joint + 1 < size("njnt") &&
+         at(integer(of_motion ? "jnt_dofadr" : "jnt_qposadr", joint + 1)) <= i / columns)
+    ++joint;
+  return place("joint", joint).element;
 }
 
 std::string Compiled::name(const char* kind, int i) const {

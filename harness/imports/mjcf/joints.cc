@@ -177,7 +177,11 @@ void add_joints(const Compiled& m, foreign::Model& model) {
     bool is_free = false;
     for (int j = first; j < first + count; ++j) {
       const auto kind = static_cast<MjJoint>(m.integer("jnt_type", j));
-      if (j == first) joint.place = m.place("joint", j), joint.name = m.name("joint", j);
+      if (j == first)
+        joint.place = m.place("joint", j), joint.name = m.name("joint", j);
+      else if (!m.name("joint", j).empty())
+        model.losses.push_back(
+            {"name", m.place("joint", j), fmt::format("a motion of {}", joint.place.element)});
       add_armature(m, j, count == 1 && joint.to < 0, model);
       if (kind == MjJoint::free) {
         is_free = true;

@@ -100,6 +100,8 @@ void add_losses(const Compiled& m, const std::string& keyframe, foreign::Model& 
   for (int i = 0; i < m.size("ntendon"); ++i) lose(role_of(m, i), m.place("tendon", i));
   for (const std::string& picture : m.absent())
     lose("presentation", {fmt::format("picture '{}'", picture), "", 0}, "it is not there");
+  for (const std::string& text : m.warnings())
+    lose(text.find("NaN") == std::string::npos ? "warning" : "unread", {"model", "", 0}, text);
   if (m.option("density") != 0 || m.option("viscosity") != 0)
     lose("fluid", {"option", "", 0},
          fmt::format("density {}, viscosity {}", m.option("density"), m.option("viscosity")));

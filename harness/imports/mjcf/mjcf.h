@@ -10,7 +10,7 @@
 namespace cylon::imports {
 
 /// The model, which starts from a keyframe or, "", from its own start.  Throws an exception of the JSON library
-/// where it is no such model.
+/// where it is no such model, and NotFinite.
 foreign::Model model_of_mjcf(const Compiled&, const std::string& keyframe = "");
 
 // The parts of that.

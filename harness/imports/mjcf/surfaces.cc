@@ -128,7 +128,10 @@ void add_surfaces(const Compiled& m, foreign::Model& model) {
   const Pairs apart = excluded(m);
   std::set<int> named;
   for (const auto& [a, b] : apart) named.insert(a), named.insert(b);
-  for (int i = 0; i < m.size("npair"); ++i) model.losses.push_back({"contact_pair", m.place("pair", i), ""});
+  const std::string collision = m.collision();
+  if (collision != "dynamic")  // where MuJoCo leaves them out
+    for (int i = 0; i < m.size("npair"); ++i)
+      model.losses.push_back({"contact_pair", m.place("pair", i), ""});
 
   std::map<Surface, int> numbers;
   if (m.disabled("contact") || m.disabled("constraint")) return;
@@ -138,7 +141,7 @@ void add_surfaces(const Compiled& m, foreign::Model& model) {
               .dimension = m.integer("geom_condim", geom),
               .priority = m.integer("geom_priority", geom),
               .friction = m.friction_of_all().value_or(m.number("geom_friction", 3 * geom))};
-    if (s.type == 0 && s.affinity == 0) {
+    if (collision == "predefined" || (s.type == 0 && s.affinity == 0)) {
       model.losses.push_back({"visual", m.place("geom", geom), ""});
       continue;
     }

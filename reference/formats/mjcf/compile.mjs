@@ -141,7 +141,12 @@ function told(M, model, data) {
 
 async function main([file, key]) {
   if (!file) throw new Refused('usage: cylon-import-mujoco3 FILE [KEYFRAME]');
-  const M = await load_mujoco({print: console.error, printErr: console.error});
+  const warnings = [];
+  const say = (line) => {
+    console.error(line);
+    if (/warning/i.test(line)) warnings.push(line);
+  };
+  const M = await load_mujoco({print: say, printErr: say});
   const absent = [];
   const model = compile(M, file, absent), data = new M.MjData(model);
   if (key !== undefined) {
@@ -152,7 +157,7 @@ async function main([file, key]) {
   M.mj_kinematics(model, data);
   M.mj_comPos(model, data);
   M.mj_comVel(model, data);
-  return JSON.stringify({...told(M, model, data), absent});
+  return JSON.stringify({...told(M, model, data), absent, warnings});
 }
 
 let code = 0;

@@ -100,6 +100,19 @@ Json disabled(const mjModel* m) {
   return json;
 }
 
+// Which pairs of geoms touch: those of the masks, <pair>, or both.
+const char* collision(const mjModel* m) {
+  return m->opt.collision == mjCOL_PAIR      ? "predefined"
+         : m->opt.collision == mjCOL_DYNAMIC ? "dynamic"
+                                             : "all";
+}
+
+// What MuJoCo warns of, for which it has a function without an argument of ours.
+Json& warnings() {
+  static Json all = Json::array();
+  return all;
+}
+
 int fail(const std::string& why) {
   std::fprintf(stderr, "%s\n", why.c_str());
   return 2;
@@ -110,10 +123,14 @@ int fail(const std::string& why) {
 int main(int argc, char** argv) {
   if (argc < 2) return fail("usage: cylon-import-mjcf FILE [KEYFRAME]");
   mju_user_error = [](const char* text) { std::exit(fail(text)); };
-  mju_user_warning = [](const char* text) { std::fprintf(stderr, "MuJoCo: %s\n", text); };
+  mju_user_warning = [](const char* text) {
+    std::fprintf(stderr, "MuJoCo: %s\n", text);
+    warnings().push_back(text);
+  };
   std::array<char, 1000> error{};
   mjModel* m = mj_loadXML(argv[1], nullptr, error.data(), static_cast<int>(error.size()));
   if (!m) return fail(error.data());
+  if (error[0] != '\0') warnings().push_back(error.data());
   mjData* d = mj_makeData(m);
   const int key = argc > 2 ? mj_name2id(m, mjOBJ_KEY, argv[2]) : -1;
   if (argc > 2 && key < 0) return fail("no keyframe is called '" + std::string(argv[2]) + "'");
@@ -139,6 +156,7 @@ int main(int argc, char** argv) {
         {"gravity", list(m->opt.gravity, 3)},
         {"density", m->opt.density},
         {"viscosity", m->opt.viscosity},
+        {"collision", collision(m)},
         {"disabled", disabled(m)}}},
       {"start",
        {{"qpos", list(d->qpos, count(m->nq, 1))},
@@ -151,6 +169,7 @@ int main(int argc, char** argv) {
         {"xaxis", list(d->xaxis, count(m->njnt, 3))},
         {"velocities", velocities}}},
   };
+  json["warnings"] = warnings();
   if (m->opt.enableflags & mjENBL_OVERRIDE)  // of friction this release overrides none
     json["option"]["contact_override"] = {{"margin", m->opt.o_margin}};
   const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -1,5 +1,5 @@
-// The tree of libsdformat against what the reader reads: elements of the format that it leaves out, elements that the
-// format does not know, and numbers with something behind them, of which the library takes the start ("0,5" as 0).
+// The tree of libsdformat against what the reader reads: elements of the format that it leaves out, elements and attributes
+// that the format does not know, and numbers with something behind them, of which the library takes the start ("0,5" as 0).
 #include "reference/formats/sdformat/reader.h"
 
 #include "reference/formats/resources/resources.h"
@@ -7,11 +7,15 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <regex>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 namespace cylon::formats {
 namespace {
+
+using foreign::Place;
 
 using Holds = bool (*)(const sdf::Element&, bool windy);
 
@@ -65,6 +69,14 @@ constexpr std::array rows = {
 constexpr std::array<std::string_view, 10> closed = {"plugin", "visual",   "sensor", "light", "gui",
                                                      "scene",  "material", "state",  "actor", "population"};
 
+// What moves bodies wherever it stands: of a newer format, or in a wrong place.
+constexpr std::array<std::string_view, 25> moving = {
+    "model",           "link",     "joint",     "inertial", "collision", "include",
+    "actor",           "mass",     "inertia",   "pose",     "static",    "gravity",
+    "physics",         "wind",     "axis",      "axis2",    "limit",     "dynamics",
+    "damping",         "friction", "kinematic", "surface",  "geometry",  "spring_stiffness",
+    "spring_reference"};
+
 bool is_numeric(const std::string& type) {
   constexpr std::array<std::string_view, 10> types = {"double",     "float",   "int",  "unsigned int",
                                                       "vector2d",   "vector3", "pose", "vector2i",
@@ -100,7 +112,7 @@ void SdfReader::check_elements(const sdf::ElementPtr& element, int line) {
   for (sdf::ElementPtr child = element->GetFirstElement(); child; child = child->GetNextElement()) {
     if (!child->GetExplicitlySetInFile()) continue;
     const std::string& name = child->GetName();
-    foreign::Place where = place("element", name, child);
+    Place where = place("element", name, child);
     if (where.line == 0) where.line = line;  // the library tells none of what it does not know
     where.element = "<" + name + "> of " + element->GetName();
     if (element->HasAttribute("name"))
@@ -109,8 +121,35 @@ void SdfReader::check_elements(const sdf::ElementPtr& element, int line) {
         rows, [&](const Row& r) { return r.parent == element->GetName() && r.name == name; });
     const bool is_known = element->HasElementDescription(name);
     if (row != rows.end() ? row->holds(*child, windy_) : !is_known)
-      lose(row != rows.end() ? row->what : "custom", where, "<" + name + ">");
+      lose(row != rows.end()                                 ? row->what
+           : std::ranges::find(moving, name) != moving.end() ? "unread"
+                                                             : "custom",
+           where, "<" + name + ">");
     if (is_known && std::ranges::find(closed, name) == closed.end()) check_elements(child, line);
+  }
+}
+
+// The tree has no attribute that the format does not know: the library warns of it.
+void SdfReader::check_warnings(sdf::ParserConfig config) {
+  config.SetWarningsPolicy(sdf::EnforcementPolicy::ERR);
+  config.SetUnrecognizedElementsPolicy(sdf::EnforcementPolicy::LOG);  // check_elements tells them
+  sdf::Root root;
+  for (const sdf::Error& error : root.Load(file_, config)) {
+    Place where{"", error.FilePath() ? other_file(*error.FilePath()) : "", error.LineNumber().value_or(0)};
+    // "XML Attribute[auto] in element[inertial] not defined in SDF."; the path ends in [@auto="true"].
+    std::smatch words;
+    const std::string text = error.Message(), path = error.XmlPath().value_or("");
+    if (!std::regex_search(text, words, std::regex(R"(XML Attribute\[([^\]]*)\] in element\[([^\]]*)\])"))) {
+      where.element = "model";
+      lose("warning", std::move(where), text.substr(0, text.find('\n')));
+      continue;
+    }
+    const std::string attribute = words[1], element = words[2];
+    where.element = "attribute '" + attribute + "' of <" + element + ">";
+    // Of SDFormat 1.11: the inertia follows from the shapes.
+    const bool is_auto = element == "inertial" && attribute == "auto" && !path.ends_with("=\"false\"]") &&
+                         !path.ends_with("=\"0\"]");
+    lose(is_auto ? "unread" : "custom", std::move(where));
   }
 }
 

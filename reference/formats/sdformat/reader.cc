@@ -19,6 +19,8 @@ Pose pose(const ignition::math::Pose3d& p) {
           foreign::Quaternion(p.Rot().W(), p.Rot().X(), p.Rot().Y(), p.Rot().Z()).normalized()};
 }
 
+constexpr double none = 1e15;  // what stands for "no limit" is 1e16, or infinity
+
 // "file:line: message" of each, one a line.
 std::string text_of(const sdf::Errors& errors) {
   std::string text;
@@ -53,11 +55,14 @@ Place SdfReader::place(const char* kind, const std::string& name, const sdf::Ele
   Place result{std::string(kind) + " '" + name + "'", "", 0};
   if (!element) return result;
   if (element->LineNumber()) result.line = *element->LineNumber();
-  // What an <include> brought stands in another file.
-  std::error_code ignored;
-  if (!element->FilePath().empty() && !std::filesystem::equivalent(element->FilePath(), file_, ignored))
-    result.file = element->FilePath();
+  result.file = other_file(element->FilePath());
   return result;
+}
+
+// What an <include> brought stands in another file.
+std::string SdfReader::other_file(const std::string& path) const {
+  std::error_code ignored;
+  return path.empty() || std::filesystem::equivalent(path, file_, ignored) ? "" : path;
 }
 
 foreign::Model SdfReader::read() {
@@ -74,6 +79,13 @@ foreign::Model SdfReader::read() {
       return "";
     }
   });
+  read_file(config);
+  check_warnings(config);
+  add_meetings();
+  return std::move(model_);
+}
+
+void SdfReader::read_file(const sdf::ParserConfig& config) {
   sdf::Root root;
   require(root.Load(file_, config));
   model_.library = "libsdformat " SDF_VERSION_FULL;
@@ -90,8 +102,6 @@ foreign::Model SdfReader::read() {
     throw Refused("it holds neither a world nor a model");
   }
   check_elements(root.Element(), 1);
-  add_meetings();
-  return std::move(model_);
 }
 
 void SdfReader::read_world(const sdf::World& world) {
@@ -221,9 +231,17 @@ void SdfReader::read_joint(const sdf::Joint& from, const Pose& frame, const std:
       const std::string kind = joint.freedoms[i].kind;
       joint.freedoms[i] = freedom_of(*axis, frame, joint.place);
       joint.freedoms[i].kind = kind;
-      if (from.Type() == sdf::JointType::CONTINUOUS)
+      if (from.Type() == sdf::JointType::CONTINUOUS) {
+        if (joint.freedoms[i].lower || joint.freedoms[i].upper)
+          lose("unused", joint.place, "limits of a continuous joint");
         joint.freedoms[i].lower = joint.freedoms[i].upper = std::nullopt;
+      }
     }
+  const char* const names[] = {"<axis>", "<axis2>"};
+  for (const unsigned i : {0u, 1u})
+    if (const sdf::JointAxis* axis = from.Axis(i);
+        axis && (i >= joint.freedoms.size() || joint.freedoms[i].kind == "ball"))
+      lose_axis(*axis, names[i], from.Type(), joint.place);
   for (std::uint64_t i = 0; i < from.SensorCount(); ++i)
     lose("sensor", place("sensor", from.SensorByIndex(i)->Name(), from.SensorByIndex(i)->Element()));
   model_.joints.push_back(std::move(joint));
@@ -234,13 +252,30 @@ foreign::Freedom SdfReader::freedom_of(const sdf::JointAxis& axis, const Pose& f
   ignition::math::Vector3d xyz;
   require(axis.ResolveXyz(xyz, "__model__"));
   freedom.axis = (frame.turn * vector(xyz)).normalized();
-  constexpr double none = 1e15;  // what stands for "no limit" is 1e16, or infinity
   if (axis.Lower() > -none) freedom.lower = axis.Lower();
   if (axis.Upper() < none) freedom.upper = axis.Upper();
   freedom.stiffness = axis.SpringStiffness(), freedom.rest = axis.SpringReference();
   freedom.damping = axis.Damping(), freedom.friction = axis.Friction();
-  if (axis.Effort() > 0 && axis.Effort() < none) lose("effort", at);
+  lose_drive(axis, at);
   return freedom;
+}
+
+void SdfReader::lose_drive(const sdf::JointAxis& axis, const Place& at) {
+  if (axis.Effort() > 0 && axis.Effort() < none) lose("effort", at);
+  if (axis.MaxVelocity() >= 0 && axis.MaxVelocity() < none) lose("effort", at, "velocity");
+}
+
+void SdfReader::lose_axis(const sdf::JointAxis& axis, const char* which, sdf::JointType type,
+                          const Place& at) {
+  lose("unused", at, which);
+  lose_drive(axis, at);
+  if (type != sdf::JointType::BALL) return;
+  // The format does not say about which of its axes.
+  const char* const ball = "a ball joint";
+  if (axis.Damping() != 0) lose("joint_damping", at, ball);
+  if (axis.Friction() != 0) lose("joint_friction", at, ball);
+  if (axis.SpringStiffness() != 0) lose("joint_spring", at, ball);
+  if (axis.Lower() > -none || axis.Upper() < none) lose("joint_limit", at, ball);
 }
 
 }  // namespace cylon::formats

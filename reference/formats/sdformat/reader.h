@@ -24,6 +24,7 @@ class SdfReader {
   /// too (`self`), and the rest.
   using Surface = std::tuple<int, bool, int, double, double>;  // model, self, bits, friction, restitution
 
+  void read_file(const sdf::ParserConfig&);
   void read_world(const sdf::World&);
   /// Whose links touch which: the number of the outermost model, and whether they touch each other.
   struct Own {
@@ -38,14 +39,21 @@ class SdfReader {
   Surface surface_of(const sdf::Collision&, Own, const foreign::Place&);
   /// What stands in the file and is not read above; `line`: of what is around it.
   void check_elements(const sdf::ElementPtr&, int line);
+  /// What the library warns of while it reads the file, which it does again.
+  void check_warnings(sdf::ParserConfig);
   void read_joint(const sdf::Joint&, const foreign::Pose& frame, const std::string& scope);
   foreign::Freedom freedom_of(const sdf::JointAxis&, const foreign::Pose& frame, const foreign::Place&);
+  void lose_drive(const sdf::JointAxis&, const foreign::Place&);
+  /// What an axis says that acts on no coordinate of its joint.
+  void lose_axis(const sdf::JointAxis&, const char* which, sdf::JointType, const foreign::Place&);
   void read_plugins(const sdf::ElementPtr&);
   void add_meetings();
   int body_of(const std::string& scope, const std::string& name, const foreign::Place&) const;
 
   void lose(const char* what, foreign::Place, std::string detail = "");
   foreign::Place place(const char* kind, const std::string& name, const sdf::ElementPtr&) const;
+  /// "" for that which is read.
+  std::string other_file(const std::string& path) const;
 
   std::string file_;
   std::vector<std::string> roots_;

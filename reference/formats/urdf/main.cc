@@ -59,6 +59,7 @@ class Reader {
       : file_(std::move(file)), roots_(std::move(roots)) {}
 
   foreign::Model read() {
+    formats::require_tree(file_);
     const Errors errors;
     const urdf::ModelInterfaceSharedPtr urdf = urdf::parseURDFFile(file_);
     errors.refuse_any();
@@ -171,6 +172,13 @@ class Reader {
     }
   }
 
+  static const char* kind_of(const urdf::Joint& joint) {
+    return joint.type == urdf::Joint::CONTINUOUS ? "continuous"
+           : joint.type == urdf::Joint::PLANAR   ? "planar"
+           : joint.type == urdf::Joint::FLOATING ? "floating"
+                                                 : "fixed";
+  }
+
   void add_joint(const urdf::Joint& from, const Pose& frame) {
     foreign::Joint joint;
     joint.name = from.name;
@@ -179,6 +187,15 @@ class Reader {
     joint.point = frame.position;
     if (from.mimic) lose("mimic", joint.place.element, "joint '" + from.mimic->joint_name + "'");
     if (from.safety) lose("transmission", joint.place.element, "safety controller");
+    const bool is_limited = from.type == urdf::Joint::REVOLUTE || from.type == urdf::Joint::PRISMATIC;
+    if (from.limits) {
+      if (from.limits->effort != 0 || from.limits->velocity != 0) lose("effort", joint.place.element);
+      if (!is_limited && (from.limits->lower != 0 || from.limits->upper != 0))
+        lose("unused", joint.place.element, std::string("limits of a ") + kind_of(from) + " joint");
+    }
+    if (from.type == urdf::Joint::FIXED && from.dynamics &&
+        (from.dynamics->damping != 0 || from.dynamics->friction != 0))
+      lose("unused", joint.place.element, "dynamics of a fixed joint");
     if (from.type == urdf::Joint::FLOATING) {
       if (from.dynamics && from.dynamics->damping != 0)
         lose("joint_damping", joint.place.element, "a floating joint");
@@ -209,10 +226,8 @@ class Reader {
       default:
         lose("joint_kind", joint.place.element, "unknown");
     }
-    if (from.limits && (from.type == urdf::Joint::REVOLUTE || from.type == urdf::Joint::PRISMATIC)) {
+    if (from.limits && is_limited)
       joint.freedoms.front().lower = from.limits->lower, joint.freedoms.front().upper = from.limits->upper;
-      if (from.limits->effort != 0 || from.limits->velocity != 0) lose("effort", joint.place.element);
-    }
     if (from.dynamics)
       for (foreign::Freedom& freedom : joint.freedoms)
         freedom.damping = from.dynamics->damping, freedom.friction = from.dynamics->friction;

@@ -1,10 +1,13 @@
 #include "reference/formats/urdf/tags.h"
 
 #include "reference/formats/resources/plugins.h"
+#include "reference/formats/resources/resources.h"
 
 #include <tinyxml.h>
 
+#include <algorithm>
 #include <array>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -35,6 +38,15 @@ constexpr std::array rows = {
     Row{"joint", "mimic", ""},
     Row{"joint", "safety_controller", ""},
     Row{"joint", "calibration", "sensor"},
+    Row{"inertial", "origin", ""},
+    Row{"inertial", "mass", ""},
+    Row{"inertial", "inertia", ""},
+    Row{"collision", "origin", ""},
+    Row{"collision", "geometry", ""},
+    Row{"geometry", "box", ""},
+    Row{"geometry", "sphere", ""},
+    Row{"geometry", "cylinder", ""},
+    Row{"geometry", "mesh", ""},
     Row{"gazebo", "sensor", "sensor"},
     // What Gazebo takes from there into the motion.
     Row{"gazebo", "static", "unread"},
@@ -47,6 +59,37 @@ constexpr std::array rows = {
     Row{"gazebo", "gravity_compensation", "unread"},
 };
 
+// The attributes that the format knows of what the reader reads (http://wiki.ros.org/urdf/XML).
+struct Attributes {
+  std::string_view element;
+  std::array<std::string_view, 6> names;
+};
+constexpr std::array known = {
+    Attributes{"robot", {"name", "version"}},
+    Attributes{"link", {"name", "type"}},
+    Attributes{"joint", {"name", "type"}},
+    Attributes{"parent", {"link"}},
+    Attributes{"child", {"link"}},
+    Attributes{"origin", {"xyz", "rpy"}},
+    Attributes{"axis", {"xyz"}},
+    Attributes{"limit", {"lower", "upper", "effort", "velocity"}},
+    Attributes{"dynamics", {"damping", "friction"}},
+    Attributes{"mimic", {"joint", "multiplier", "offset"}},
+    Attributes{"safety_controller", {"soft_lower_limit", "soft_upper_limit", "k_position", "k_velocity"}},
+    Attributes{"inertial", {}},
+    Attributes{"mass", {"value"}},
+    Attributes{"inertia", {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"}},
+    Attributes{"collision", {"name", "group"}},
+    Attributes{"geometry", {}},
+    Attributes{"box", {"size"}},
+    Attributes{"sphere", {"radius"}},
+    Attributes{"cylinder", {"radius", "length"}},
+    Attributes{"mesh", {"filename", "scale"}},
+};
+
+// Elements below these are looked at; what is below the others is theirs.
+constexpr std::array<std::string_view, 5> open = {"link", "joint", "inertial", "collision", "geometry"};
+
 // "link 'arm'", "gazebo of 'arm'", "<bogus>".
 std::string shown(const TiXmlElement& element) {
   const std::string kind = element.Value();
@@ -55,15 +98,36 @@ std::string shown(const TiXmlElement& element) {
   return "<" + kind + ">";
 }
 
+bool has_no_axis(const TiXmlElement& joint) {
+  const char* type = joint.Attribute("type");
+  return type && (std::string_view(type) == "fixed" || std::string_view(type) == "floating");
+}
+
 class Walk {
  public:
   explicit Walk(Tags& tags) : tags_(tags) {}
 
+  void whole(const TiXmlElement& robot) {
+    check_attributes(robot, "");
+    below(robot);
+  }
+
+ private:
   void below(const TiXmlElement& parent) {
     for (const TiXmlElement* e = parent.FirstChildElement(); e; e = e->NextSiblingElement()) take(parent, *e);
   }
 
- private:
+  // Namespaces say nothing of the robot.
+  void check_attributes(const TiXmlElement& element, const std::string& of) {
+    const auto row = std::ranges::find(known, element.Value(), &Attributes::element);
+    if (row == known.end()) return;
+    for (const TiXmlAttribute* a = element.FirstAttribute(); a; a = a->Next()) {
+      const std::string_view name = a->Name();
+      if (std::ranges::find(row->names, name) == row->names.end() && !name.starts_with("xmlns"))
+        lose("custom", element, "attribute '" + std::string(name) + "'" + of);
+    }
+  }
+
   void lose(const char* what, const TiXmlElement& element, std::string detail) {
     tags_.losses.push_back({what, {shown(element), "", element.Row()}, std::move(detail)});
   }
@@ -79,10 +143,12 @@ class Walk {
     }
     for (const Row& row : rows) {
       if (row.parent != in || row.name != name) continue;
+      if (name == "axis" && has_no_axis(parent)) lose("unused", element, "<axis>" + of);
       if (*row.what) lose(row.what, element, "<" + name + ">" + of);
       if (name == "inertial" && parent.Attribute("name"))
         tags_.inertials[parent.Attribute("name")] = element.Row();
-      if (in == "robot" && (name == "link" || name == "joint")) below(element);
+      if (!*row.what) check_attributes(element, of);
+      if (std::ranges::find(open, name) != open.end()) below(element);
       return;
     }
     lose("custom", element, "<" + name + ">" + of);
@@ -96,8 +162,38 @@ class Walk {
 Tags tags_of(const std::string& file) {
   Tags tags;
   TiXmlDocument document;
-  if (document.LoadFile(file.c_str()) && document.RootElement()) Walk(tags).below(*document.RootElement());
+  if (document.LoadFile(file.c_str()) && document.RootElement()) Walk(tags).whole(*document.RootElement());
   return tags;
+}
+
+void require_tree(const std::string& file) {
+  TiXmlDocument document;
+  if (!document.LoadFile(file.c_str()) || !document.RootElement()) return;  // urdfdom says why
+  struct Up {
+    std::string parent;
+    const TiXmlElement* joint;
+  };
+  std::map<std::string, Up> up;  // from a link
+  const auto link_of = [](const TiXmlElement& joint, const char* end) -> std::string {
+    const TiXmlElement* element = joint.FirstChildElement(end);
+    const char* link = element ? element->Attribute("link") : nullptr;
+    return link ? link : "";
+  };
+  for (const TiXmlElement* joint = document.RootElement()->FirstChildElement("joint"); joint;
+       joint = joint->NextSiblingElement("joint"))
+    up.try_emplace(link_of(*joint, "child"), Up{link_of(*joint, "parent"), joint});
+  std::set<std::string> rooted;  // links that are known not to hang on themselves
+  for (const auto& [first, ignored] : up) {
+    std::set<std::string> below;
+    for (std::string link = first; up.contains(link) && !rooted.contains(link); link = up.at(link).parent)
+      if (!below.insert(link).second) {
+        const Up& joint = up.at(link);
+        throw Refused("line " + std::to_string(joint.joint->Row()) + ": " + shown(*joint.joint) + ": link '" +
+                      link + "' hangs on itself" +
+                      (joint.parent == link ? "" : ", through link '" + joint.parent + "'"));
+      }
+    rooted.merge(below);
+  }
 }
 
 }  // namespace cylon::formats

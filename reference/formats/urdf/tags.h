@@ -17,4 +17,7 @@ struct Tags {
 /// Of a file that urdfdom takes.
 Tags tags_of(const std::string& file);
 
+/// Throws Refused, with line and name, at a joint whose link hangs on itself: urdfdom finds no root then and names none.
+void require_tree(const std::string& file);
+
 }  // namespace cylon::formats

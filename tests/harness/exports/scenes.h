@@ -153,6 +153,36 @@ conserves = "joint_gap"
 tolerance = {absolute = 0.001, reason = "convention: a millimetre"}
 )";
 
+// Moments that are nearly equal about axes that are none of the body's, and a flat body.
+inline constexpr const char* nearly_round = R"(
+title    = "nearly round"
+duration = 1.0
+step     = 0.001
+gravity  = [0.0, -9.81, 0.0]
+
+[[body]]
+name = "round"
+position = [0.3, 1.1, -0.4]
+mass = 1.3
+inertia = [0.07774904, -0.0303768643, 0.0275564194, -0.0303768643, 0.0634548204, 0.0303768643, 0.0275564194, 0.0303768643, 0.077661045]
+
+[[body]]
+name = "rod"
+position = [2.2, 0.0, 0.0]
+mass = 0.9
+inertia = [0.3, 1e-6, 0.0, 1e-6, 0.3, 0.0, 0.0, 0.0, 0.01]
+
+[[body]]
+name = "plate"
+position = [4.2, 0.0, 0.0]
+mass = 0.9
+inertia = [0.26, 0.06, 0.0, 0.06, 0.39, 0.0, 0.0, 0.0, 0.65]
+
+[[claim]]
+conserves = "energy"
+tolerance = {relative = 0.01, reason = "convention: a hundredth"}
+)";
+
 // A chain of hinges that a ball closes, and a body fixed to it.
 inline constexpr const char* loop = R"(
 title    = "loop"
@@ -336,6 +366,171 @@ type = "ball"
 body = "tip"
 to = "hand"
 point = [1.1, -0.15, 0.2]
+
+[[claim]]
+conserves = "joint_gap"
+tolerance = {absolute = 0.001, reason = "convention: a millimetre"}
+)";
+
+// Names as an import of SDFormat makes them: of one model that moves and of a static one, with models in them.
+inline constexpr const char* nested = R"(
+title    = "nested"
+duration = 1.0
+step     = 0.002
+gravity  = [0.3, -9.7, 0.2]
+
+[[body]]
+name = "box::link"
+position = [30.0, 0.3, -0.2]
+orientation = [0.8, 0.0, 0.6, 0.0]
+locked = true
+shape = {type = "box", half_extents = [0.4, 0.1, 0.3]}
+
+[[body]]
+name = "box::hull::part"
+position = [40.0, 0.3, -0.2]
+orientation = [0.8, 0.0, 0.6, 0.0]
+locked = true
+shape = {type = "box", half_extents = [0.4, 0.1, 0.3]}
+
+[[body]]
+name = "m::a"
+position = [0.1, 0.3, -0.2]
+orientation = [0.8, 0.0, 0.6, 0.0]
+mass = 0.7
+inertia = [0.011, 0.017, 0.013]
+
+[[body]]
+name = "m::inner::a"
+position = [0.5, 0.3, -0.2]
+orientation = [0.8, 0.0, 0.6, 0.0]
+mass = 0.7
+inertia = [0.011, 0.017, 0.013]
+
+[[body]]
+name = "m::inner::deep::a"
+position = [0.9, 0.3, -0.2]
+orientation = [0.8, 0.0, 0.6, 0.0]
+mass = 0.7
+inertia = [0.011, 0.017, 0.013]
+
+[[body]]
+name = "m::b"
+position = [1.3, 0.3, -0.2]
+orientation = [0.8, 0.0, 0.6, 0.0]
+mass = 0.7
+inertia = [0.011, 0.017, 0.013]
+
+[[joint]]
+type = "hinge"
+name = "m::j"
+body = "m::a"
+point = [0.2, 0.2, -0.2]
+axis = [0.0, 0.8, -0.6]
+
+[[joint]]
+type = "hinge"
+name = "m::inner::j"
+body = "m::inner::a"
+to = "m::a"
+point = [0.3, 0.2, -0.2]
+axis = [0.0, 0.8, -0.6]
+
+[[joint]]
+type = "hinge"
+name = "m::k"
+body = "m::inner::deep::a"
+to = "m::inner::a"
+point = [0.4, 0.2, -0.2]
+axis = [0.0, 0.8, -0.6]
+
+[[joint]]
+type = "hinge"
+name = "l"
+body = "m::b"
+to = "m::inner::deep::a"
+point = [0.5, 0.2, -0.2]
+axis = [0.0, 0.8, -0.6]
+
+[[material]]
+between = ["*", "*"]
+friction = 0.4
+restitution = 0.0
+
+[[claim]]
+conserves = "joint_gap"
+tolerance = {absolute = 0.001, reason = "convention: a millimetre"}
+)";
+
+// The same of several models, and of none.
+inline constexpr const char* several = R"(
+title    = "several"
+duration = 1.0
+step     = 0.002
+gravity  = [0.3, -9.7, 0.2]
+
+[[body]]
+name = "box"
+position = [30.0, 0.3, -0.2]
+orientation = [0.8, 0.0, 0.6, 0.0]
+locked = true
+shape = {type = "box", half_extents = [0.4, 0.1, 0.3]}
+
+[[body]]
+name = "n"
+position = [0.1, 0.3, -0.2]
+orientation = [0.8, 0.0, 0.6, 0.0]
+mass = 0.7
+inertia = [0.011, 0.017, 0.013]
+
+[[body]]
+name = "p::n"
+position = [0.5, 0.3, -0.2]
+orientation = [0.8, 0.0, 0.6, 0.0]
+mass = 0.7
+inertia = [0.011, 0.017, 0.013]
+
+[[body]]
+name = "m::n"
+position = [0.9, 0.3, -0.2]
+orientation = [0.8, 0.0, 0.6, 0.0]
+mass = 0.7
+inertia = [0.011, 0.017, 0.013]
+
+[[body]]
+name = "scene"
+position = [1.3, 0.3, -0.2]
+orientation = [0.8, 0.0, 0.6, 0.0]
+mass = 0.7
+shape = {type = "sphere", radius = 0.1}
+
+[[joint]]
+type = "hinge"
+name = "m::j"
+body = "n"
+point = [0.2, 0.2, -0.2]
+axis = [0.0, 0.8, -0.6]
+
+[[joint]]
+type = "hinge"
+name = "n::j"
+body = "p::n"
+to = "n"
+point = [0.3, 0.2, -0.2]
+axis = [0.0, 0.8, -0.6]
+
+[[joint]]
+type = "hinge"
+name = "k"
+body = "m::n"
+to = "p::n"
+point = [0.4, 0.2, -0.2]
+axis = [0.0, 0.8, -0.6]
+
+[[material]]
+between = ["*", "*"]
+friction = 0.4
+restitution = 0.0
 
 [[claim]]
 conserves = "joint_gap"

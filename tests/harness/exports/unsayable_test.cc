@@ -111,8 +111,9 @@ INSTANTIATE_TEST_SUITE_P(
             "[[body]]\nname = \"world\"\nposition = [1.0, 3.0, 0.0]\nmass = 1.0\ninertia = [1.0, 1.0, 1.0]\n",
             "bad.toml:16:8: MJCF cannot say 'name' of body of 'world'"},
         Case{"SDFormat",
-             "[[body]]\nname = \"a::b\"\nposition = [1.0, 3.0, 0.0]\nmass = 1.0\ninertia = [1.0, 1.0, 1.0]\n",
-             "bad.toml:16:8: SDFormat cannot say 'name' of body of 'a::b'"},
+             "[[body]]\nname = \"c::\"\nposition = [1.0, 3.0, 0.0]\nmass = 1.0\ninertia = [1.0, 1.0, 1.0]\n",
+             "bad.toml:16:8: SDFormat cannot say 'name' of body of 'c::': '::' is between the names of "
+             "models and links"},
         Case{"MJCF",
              "[[joint]]\ntype = \"hinge\"\nbody = \"a\"\npoint = [0.0, 1.0, 0.0]\naxis = [0.0, 1.0, 0.0]\n"
              "[[joint]]\ntype = \"hinge\"\nbody = \"a\"\nto = \"b\"\npoint = [0.0, 2.0, 0.0]\naxis = [0.0, "

@@ -304,6 +304,40 @@ TEST(Options, OfAnotherFormatAreRefused) {
   EXPECT_EQ(refusal(file, {.fixed_base = true, .roots = {"/tmp"}}), "none");
 }
 
+TEST(Warnings, OfTheLibraryAreTold) {
+  const fs::path file = data("arm.xml");
+  REQUIRE_LIBRARY(file);
+  nlohmann::json json = read_by(*format_of(file), file, {}, programs);
+  json["warnings"] = {"the mass is large"};
+  const foreign::Model model = model_of_mjcf(Compiled(json));
+  EXPECT_TRUE(std::ranges::any_of(model.losses, [](const foreign::Loss& loss) {
+    return loss.what == "warning" && loss.detail == "the mass is large";
+  }));
+}
+
+// MuJoCo and libsdformat read a URDF in part: links, joints and couplings were gone without a word.
+TEST(WrongEnding, IsRefusedByTheRootElement) {
+  const TemporaryFolder folder;
+  struct Row {
+    const char *file, *text, *says;
+  };
+  for (const Row& row :
+       {Row{"u.sdf", "<robot name='r'><link name='a'/></robot>",
+            "u.sdf:1:1: <robot> is the root of a file of URDF, and this one's ending is that of SDFormat: "
+            "name it .urdf"},
+        {"u.world", "<?xml version='1.0'?>\n<robot name='r'/>", "u.world:2:1: <robot> is the root of a file"},
+        {"u.xml", "<robot name='r'><link name='a'/></robot>", "ending is that of MJCF: name it .urdf"},
+        {"m.urdf", "<mujoco><worldbody/></mujoco>", "<mujoco> is the root of a file of MJCF"},
+        {"m.sdf", "<mujocoinclude/>", "<mujocoinclude> is the root of a file of MJCF"},
+        {"s.xml", "<sdf version='1.9'/>", "<sdf> is the root of a file of SDFormat"},
+        {"s.urdf", "<sdf version='1.9'/>", "ending is that of URDF: name it .sdf"}}) {
+    const fs::path file = folder.path() / row.file;
+    std::ofstream(file) << row.text;
+    const std::string told = refusal(file);
+    EXPECT_NE(told.find(row.says), std::string::npos) << told;
+  }
+}
+
 TEST(LeaveOut, TakesARefusalForALoss) {
   const fs::path file = data("lossy.xml");
   REQUIRE_LIBRARY(file);

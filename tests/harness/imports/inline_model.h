@@ -36,13 +36,14 @@ inline bool can_import(const std::string& ending) {
   return std::filesystem::exists(folder / (format.newer.empty() ? format.program : format.newer));
 }
 
-inline Outcome import_text(const std::string& text, const std::string& ending, const Options& options = {}) {
+inline Outcome import_text(const std::string& text, const std::string& ending, const Options& options = {},
+                           const std::filesystem::path& programs = binary_dir) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / ("model." + ending);
   std::ofstream(file) << text;
   Outcome outcome;
   try {
-    const Imported imported = import_file(file, options, binary_dir);
+    const Imported imported = import_file(file, options, programs);
     for (const std::string& line : imported.left_out) outcome.left_out += line + '\n';
     outcome.scenario = scenario::parse(imported.toml, "imported.toml");
   } catch (const core::InputError& error) {

@@ -261,6 +261,93 @@ TEST(MjcfJoinedContact, IsTold) {
   }
 }
 
+// A folder with the reader of MuJoCo 2.2.2 alone, where it is built.
+class OldMujoco : public testing::Test {
+ protected:
+  void SetUp() override {
+    const std::filesystem::path program = std::filesystem::path(binary_dir) / "cylon-import-mjcf";
+    if (!std::filesystem::exists(program)) GTEST_SKIP() << "no libmujoco-dev";
+    std::filesystem::create_symlink(program, folder_.path() / program.filename());
+  }
+  Outcome import_mjcf(const std::string& text) const {
+    return import_text("<mujoco>" + text + "</mujoco>", "xml", {}, folder_.path());
+  }
+
+  const TemporaryFolder folder_;
+};
+using MjcfCollision = OldMujoco;
+using MjcfWarning = OldMujoco;
+
+// It was ignored: the ball rested on the plane, through which it falls.
+TEST_F(MjcfCollision, PredefinedLeavesThePairsOfMasksOut) {
+  const std::string scene =
+      R"(<worldbody><geom name="floor" type="plane" size="1 1 1"/>)"
+      R"(<body pos="0 0 1"><freejoint/><geom name="ball" size=".1" mass="1"/></body></worldbody>)";
+  const Outcome all = import_mjcf(scene), none = import_mjcf(R"(<option collision="predefined"/>)" + scene);
+  ASSERT_EQ(all.refusal + none.refusal, "");
+  EXPECT_TRUE(all.scene().bodies.at(0).collide);
+  EXPECT_EQ(all.scene().planes.size(), 1u);
+  EXPECT_FALSE(none.scene().bodies.at(0).collide);
+  EXPECT_TRUE(none.scene().planes.empty());
+  EXPECT_TRUE(none.leaves_out("geom 'floor' and 1 more: visual")) << none.left_out;
+}
+
+TEST_F(MjcfCollision, DynamicLeavesThePairsOfTheFileOut) {
+  const std::string scene =
+      R"(<worldbody><geom name="floor" type="plane" size="1 1 1"/>)"
+      R"(<body pos="0 0 1"><freejoint/><geom name="ball" size=".1" mass="1"/></body></worldbody>)"
+      R"(<contact><pair name="p" geom1="floor" geom2="ball" friction="2 2 0 0 0"/></contact>)";
+  EXPECT_TRUE(import_mjcf(scene).refuses("pair 'p': contact_pair"));
+  const Outcome dynamic = import_mjcf(R"(<option collision="dynamic"/>)" + scene);
+  ASSERT_EQ(dynamic.refusal, "");
+  EXPECT_EQ(core::material_of(dynamic.scene(), {.body = 0, .plane = 0})->friction, 1);
+}
+
+// What MuJoCo warns of was lost where the model compiles.
+TEST_F(MjcfWarning, OfNanInAnIncludedFileIsRefused) {
+  std::ofstream(folder_.path() / "part.xml")
+      << R"(<mujoco><body name="a" pos="nan 0 0"><joint/><geom size=".1"/></body></mujoco>)";
+  const std::string beside = "../" + folder_.path().filename().string() + "/part.xml";
+  const Outcome outcome = import_mjcf("<worldbody><include file='" + beside + "'/></worldbody>");
+  EXPECT_TRUE(outcome.refuses("unread (XML contains a 'NaN'")) << outcome.refusal << outcome.left_out;
+}
+
+// The element was not named: a null of JSON was.
+TEST(MjcfNotFinite, NamesTheElement) {
+  REQUIRE_IMPORT("xml");
+  const Outcome outcome = import_mjcf(
+      R"(<worldbody><body name="a" pos="1e308 0 0"><joint/><geom size=".1" mass="1e308"/></body></worldbody>)");
+  EXPECT_TRUE(outcome.refuses("body 'a': body_inertia is not finite")) << outcome.refusal;
+  const Outcome nan = import_mjcf(R"(<worldbody><body name="a" pos="nan 0 0"><joint/>)" BALL);
+  EXPECT_TRUE(nan.refuses(":1:20: body 'a': pos=\"nan 0 0\": NaN is no number")) << nan.refusal;
+}
+
+// A line of a text that nobody has was named, and no joint.
+TEST(MjcfStart, OutsideOfTheLimitsNamesTheJoint) {
+  REQUIRE_IMPORT("xml");
+  const Outcome outcome =
+      import_mjcf(R"(<worldbody><body><joint name="j" axis="0 1 0" range="10 30" limited="true"/>)" BALL);
+  EXPECT_TRUE(outcome.refuses("joint 'j': it starts at 0, outside of its limits 0.17453")) << outcome.refusal;
+}
+
+// A joint of a scene stands for up to three of MJCF, and has one name.
+TEST(MjcfName, OfAFurtherJointOfABodyIsTold) {
+  REQUIRE_IMPORT("xml");
+  const Outcome outcome = import_mjcf(
+      R"(<worldbody><body><joint name="j" axis="0 1 0"/><joint name="second" axis="1 0 0"/>)" BALL);
+  ASSERT_EQ(outcome.refusal, "");
+  EXPECT_EQ(outcome.scene().joints.at(0).name, "j");
+  EXPECT_TRUE(outcome.leaves_out("joint 'second': name (a motion of joint 'j')")) << outcome.left_out;
+}
+
+// It became a ball, though only two rates are free at the start.
+TEST(MjcfHinges, OfWhichTheThirdIsAlongTheFirstAreNoBall) {
+  REQUIRE_IMPORT("xml");
+  const Outcome outcome = import_mjcf(
+      R"(<worldbody><body><joint name="j" axis="0 0 1"/><joint axis="1 0 0"/><joint axis="0 0 1"/>)" BALL);
+  EXPECT_TRUE(outcome.refuses("joint 'j': joint_kind (turn turn turn)")) << outcome.refusal;
+}
+
 // A scene has no body that is called "world": an export refused it.
 TEST(MjcfWorldbody, WithASurfaceIsCalledGround) {
   REQUIRE_IMPORT("xml");

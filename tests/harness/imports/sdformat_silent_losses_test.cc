@@ -74,6 +74,10 @@ std::string hinge(const std::string& axis, const std::string& more = "") {
   return model(link("a") + "<joint name='j' type='revolute'><parent>world</parent><child>a</child><axis>" +
                "<xyz>0 0 1</xyz>" + axis + "</axis>" + more + "</joint>");
 }
+std::string joint(const std::string& type, const std::string& axes) {
+  return model(link("a") + "<joint name='j' type='" + type + "'><parent>world</parent><child>a</child>" +
+               axes + "</joint>");
+}
 const std::string wind = "<wind><linear_velocity>10 0 0</linear_velocity></wind>";
 
 INSTANTIATE_TEST_SUITE_P(
@@ -103,6 +107,48 @@ INSTANTIATE_TEST_SUITE_P(
                "line 5: <damping>: '0,5' is no number", true},
         Silent{"CommaInAVector", model("<pose>0 0 1,5 0 0 0</pose>" + link("a")),
                "<pose>: '1,5' is no number", true},
+        Silent{"Speed", hinge("<limit><velocity>3</velocity></limit>"), "joint 'm::j': effort (velocity)",
+               false},
+        Silent{"BallDamping",
+               joint("ball", "<axis><xyz>1 0 0</xyz><dynamics><damping>3</damping></dynamics></axis>"),
+               "joint 'm::j': joint_damping (a ball joint)", true},
+        Silent{"BallFriction",
+               joint("ball", "<axis><xyz>1 0 0</xyz><dynamics><friction>3</friction></dynamics></axis>"),
+               "joint 'm::j': joint_friction (a ball joint)", true},
+        Silent{
+            "BallSpring",
+            joint("ball",
+                  "<axis><xyz>1 0 0</xyz><dynamics><spring_stiffness>3</spring_stiffness></dynamics></axis>"),
+            "joint 'm::j': joint_spring (a ball joint)", true},
+        Silent{"BallLimit", joint("ball", "<axis><xyz>1 0 0</xyz><limit><lower>-1</lower></limit></axis>"),
+               "joint 'm::j': joint_limit (a ball joint)", true},
+        Silent{"BallAxis", joint("ball", "<axis><xyz>1 0 0</xyz></axis>"), "joint 'm::j': unused (<axis>)",
+               false},
+        Silent{"SecondAxis",
+               hinge("", "<axis2><xyz>0 1 0</xyz><dynamics><damping>3</damping></dynamics></axis2>"),
+               "joint 'm::j': unused (<axis2>)", false},
+        Silent{"FixedAxis",
+               joint("fixed", "<axis><xyz>1 0 0</xyz><dynamics><damping>3</damping></dynamics></axis>"),
+               "joint 'm::j': unused (<axis>)", false},
+        Silent{"ContinuousLimit",
+               joint("continuous",
+                     "<axis><xyz>1 0 0</xyz><limit><lower>-1</lower><upper>1</upper></limit></axis>"),
+               "joint 'm::j': unused (limits of a continuous joint)", false},
+        // The link had 1 kg and an inertia of 1 kg m^2.
+        Silent{"InertiaOfShapes", model("<link name='a'><inertial auto='true'/>" + ball() + "</link>"),
+               "sdf:4: attribute 'auto' of <inertial>: unread", true},
+        Silent{"InertiaNotOfShapes", model("<link name='a'><inertial auto='false'/></link>"),
+               "sdf:4: attribute 'auto' of <inertial>: custom", false},
+        Silent{"UnknownAttribute", model("<link name='a' magic='3'/>"),
+               "sdf:4: attribute 'magic' of <link>: custom", false},
+        // It was left out as unknown, and the body fell.
+        Silent{"JointOfAWorld",
+               model(link("a")) +
+                   "<joint name='j' type='revolute'><parent>world</parent><child>m::a</child></joint>",
+               "<joint> of world 'w': unread (<joint>)", true},
+        Silent{"LinkOfAWorld", model(link("a")) + link("b"), "<link> of world 'w': unread (<link>)", true},
+        Silent{"DampingOfAJoint", hinge("", "<damping>3</damping>"),
+               "<damping> of joint 'j': unread (<damping>)", true},
         Silent{"CategoryBits", model(link("a", ball("<category_bitmask>2</category_bitmask>"))),
                "<category_bitmask> of contact: unread", true}),
     [](const auto& row) { return std::string(row.param.name); });

@@ -151,6 +151,12 @@ TEST(JointsOf, MapsMotionsToTheJointThatLeavesThem) {
        JointType::planar},
       {{{.kind = "turn", .axis = n}, {.kind = "turn", .axis = u}, {.kind = "turn", .axis = w}},
        JointType::ball},
+      {{{.kind = "turn", .axis = n},
+        {.kind = "turn", .axis = u},
+        {.kind = "turn", .axis = (n + w).normalized()}},
+       JointType::ball},
+      {{{.kind = "turn", .axis = n}, {.kind = "turn", .axis = u}, {.kind = "turn", .axis = -n}},
+       std::nullopt},
       {{{.kind = "turn", .axis = n}, {.kind = "turn", .axis = u, .damping = 1}, {.kind = "turn", .axis = w}},
        std::nullopt},
       {{{.kind = "slide", .axis = n}, {.kind = "slide", .axis = u}}, std::nullopt},
@@ -186,6 +192,36 @@ TEST(JointsOf, CountsAnOppositeAxisTheOtherWay) {
   EXPECT_EQ(joint.angles[0].lower, -0.5);
   EXPECT_EQ(joint.angles[0].upper, 0.2);
   EXPECT_EQ(joint.angles[0].force, -3);
+}
+
+TEST(JointsOf, TellsNamesThatTheyDoNotKeep) {
+  Model model;
+  model.bodies = {body("a", 1), body("b", 1)};
+  model.joints = {{.place = {"joint 0"}, .name = "a,b", .body = 0},
+                  {.place = {"joint 1"}, .name = "a_b", .body = 1},
+                  {.place = {"joint 2"}, .body = 1, .to = 0}};
+  const std::vector<core::Joint> joints = joints_of(model);
+  EXPECT_EQ(joints.at(0).name, "a_b");
+  EXPECT_EQ(joints.at(1).name, "");
+  ASSERT_EQ(model.losses.size(), 2u);
+  EXPECT_EQ(model.losses[0].what + model.losses[0].detail, "name'a_b' here");
+  EXPECT_EQ(model.losses[1].what + model.losses[1].detail, "namenone here");
+}
+
+TEST(CheckStarts, NamesTheJointThatStartsOutsideOfItsLimits) {
+  Model model;
+  model.bodies = {body("a", 1)};
+  model.joints = {{.place = {"joint 'j'", "part.sdf", 7},
+                   .freedoms = {{.kind = "slide", .start = 0.5, .lower = 0.1, .upper = 0.4}}}};
+  try {
+    check_starts(model, "f");
+    FAIL();
+  } catch (const core::InputError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "part.sdf:7:0: joint 'j': it starts at 0.5, outside of its limits 0.1 and 0.4");
+  }
+  model.joints[0].freedoms[0].start = 0.4;
+  EXPECT_NO_THROW(check_starts(model, "f"));
 }
 
 TEST(JointsOf, FreesTwoBodiesThatSixMotionsLeave) {
