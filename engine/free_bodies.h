@@ -46,6 +46,7 @@ class FreeBodies final : public Stepper {
   /// Steps in a row: each block stays in cache for all of them.  The bits of as many step().
   void advance(std::int64_t steps) override;
   void read(std::vector<Motion>&) const override;
+  void read_turns(std::vector<Real>& turns) const override { turns.clear(); }
 
   std::size_t size() const { return places_.size(); }
   /// Held for all bodies [bytes].

@@ -17,6 +17,7 @@ class FreeStepper final : public Stepper {
 
   void step() override { ++steps_; }
   void read(std::vector<Motion>&) const override;
+  void read_turns(std::vector<Real>& turns) const override { turns.clear(); }
 
  private:
   std::vector<Body> bodies_;

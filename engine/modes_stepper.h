@@ -19,6 +19,7 @@ class ModesStepper final : public Stepper {
   void step() override { ++steps_; }
   void advance(std::int64_t n) override { steps_ += n; }
   void read(std::vector<Motion>&) const override;
+  void read_turns(std::vector<Real>& turns) const override { turns.clear(); }
 
  private:
   std::vector<Body> bodies_;

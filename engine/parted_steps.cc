@@ -12,7 +12,7 @@ namespace cylon::engine {
 
 namespace {
 
-// More parts than this are none: a step of so many would not end.
+// A step of more would not end.
 constexpr double most_parts = 1e6;
 
 // [m]; infinite where nothing is.
@@ -64,7 +64,8 @@ void PartedSteps::add_contacts() {
   const std::vector<Contact>& more = run_->contacts();
   const bool same =
       impacts_.empty() && std::ranges::equal(contacts_, more, [](const Contact& a, const Contact& b) {
-        return a.body == b.body && a.other == b.other && a.plane == b.plane && a.impulse && b.impulse;
+        return a.body == b.body && a.other == b.other && a.plane == b.plane && a.impulse && b.impulse &&
+               a.friction && b.friction;
       });
   if (!same) {
     contacts_.insert(contacts_.end(), more.begin(), more.end());

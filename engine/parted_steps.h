@@ -14,7 +14,7 @@ namespace cylon::engine {
 /// own.  A step of up to h goes as it is, a longer one in parts of at most h/4:
 ///   h = sqrt(r/g)/4,
 /// in which a body falls by r/32; r the least half-width of what can touch or be held by a limit or by dry friction [m].
-/// 1 without gravity.
+/// 1 without gravity; at most 10^6, beyond which they are longer.
 std::int64_t parts_of_step(const Model&, Time dt);
 
 /// Goes `parts` steps of `run`, each dt/parts long, in each of its own.
@@ -25,6 +25,7 @@ class PartedSteps final : public Stepper {
 
   void step() override;
   void read(std::vector<Motion>& motions) const override { run_->read(motions); }
+  void read_turns(std::vector<Real>& turns) const override { run_->read_turns(turns); }
   const std::vector<Impact>& impacts() const override { return impacts_; }
   /// In the last part.
   bool struck() const override { return run_->struck(); }

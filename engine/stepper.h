@@ -50,8 +50,8 @@ class Stepper {
   virtual void read(std::vector<Motion>&) const = 0;
 
   /// For each law on a coordinate (Forces::coordinate_laws) what its angle is near to now, which the motions do not
-  /// tell.  Left as it is where there are none.
-  virtual void read_turns(std::vector<Real>&) const {}
+  /// tell; empty where a method takes none.
+  virtual void read_turns(std::vector<Real>&) const = 0;
 
   /// The impacts of the last step, in order of time; none where nothing can touch.
   virtual const std::vector<Impact>& impacts() const {

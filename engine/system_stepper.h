@@ -20,7 +20,10 @@ class SystemStepper : public Stepper {
 
   void read(std::vector<Motion>& motions) const final { read_(system_, y_.data(), motions); }
   void read_turns(std::vector<Real>& turns) const final {
-    if constexpr (requires { system_.read_turns(y_.data(), turns); }) system_.read_turns(y_.data(), turns);
+    if constexpr (requires { system_.read_turns(y_.data(), turns); })
+      system_.read_turns(y_.data(), turns);
+    else
+      turns.clear();
   }
   std::vector<Diagnostic> diagnostics() const override {
     if constexpr (requires { system_.diagnostics(); })

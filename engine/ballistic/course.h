@@ -17,6 +17,7 @@ class Course final : public Ballistic {
 
   void step() override;
   void read(std::vector<Motion>&) const override;
+  void read_turns(std::vector<Real>& turns) const override { turns.clear(); }
   const std::vector<Impact>& impacts() const override { return impacts_; }
   const std::optional<Handover>& handover() const override { return handover_; }
 

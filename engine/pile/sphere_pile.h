@@ -14,6 +14,7 @@ class SpherePile : public Stepper {
 
   void step() override;
   void read(std::vector<Motion>& motions) const override { spheres_.read(model_.bodies, motions); }
+  void read_turns(std::vector<Real>& turns) const override { turns.clear(); }
   const std::vector<Impact>& impacts() const override { return impacts_; }
   std::vector<Diagnostic> diagnostics() const override;
 

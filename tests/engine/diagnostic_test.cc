@@ -43,6 +43,7 @@ class Bouncing final : public Stepper {
     const Real speed = steps_ == 3 && late_ ? Real(1) : Real(-1);
     motions.assign(1, make_motion(body(), {1, 2, 3}, Quaternion::Identity(), {speed, 0, 0}, Vector3::Zero()));
   }
+  void read_turns(std::vector<Real>& turns) const override { turns.clear(); }
   const std::vector<Impact>& impacts() const override { return impacts_; }
   static Body body() { return make_body(1, Matrix3::Identity()); }
 

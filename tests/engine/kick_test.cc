@@ -113,6 +113,23 @@ TEST(Kick, KeepsTheTurnsOfAWoundSpring) {
   }
 }
 
+// Steps that go in parts lost the turns: with a limit the wheel moves event by event, and is looked at only every 0.3 s.
+TEST(Kick, KeepsTheTurnsWhereStepsGoInParts) {
+  Wheel w = wheel_that_turns(40);
+  CoordinateLaw law;
+  law.at = w.angle, law.stiffness = Real(0.3), law.lower = -100, law.upper = 100;
+  w.model.forces.coordinate_laws.push_back(law);
+  w.model.forces.gravity = {Real(0.2), Real(-9.81), Real(0.4)};
+  const Real rate = std::sqrt(law.stiffness / w.inertia);
+  World world(w.model, with("auto", 0.3));
+  for (int i = 0; i < 10; ++i) {
+    world.step();
+    world.kick(0, Vector3::Zero(), Vector3::Zero());
+  }
+  EXPECT_NEAR(rail_axis.dot(angular_velocity(w.model.bodies[0], world.motions()[0])), 40 * std::cos(rate * 3),
+              1e-6);
+}
+
 TEST(Kick, IsRefusedWhereARunCannotBeginAnew) {
   Options options = with("rk4", 0.01);
   EXPECT_EQ(World(coupled_bodies(), options).no_kick(), "");
