@@ -356,12 +356,14 @@ Real BodyPile::slop(bool direct) const {
   return (direct ? settings_.direct_slop : settings_.slop) * found_.smallest();
 }
 
+Real BodyPile::relaxation(bool direct) const { return direct ? Real(1) : settings_.relaxation; }
+
 void BodyPile::correct_positions(Time now, bool direct) {
   set_kinematics();
   look_at_stops();
   if (isolated_) islands_.note(motions_), before_ = motions_;
-  const bool moved = overlaps_.displace(model_.bodies, blocks_, movers_, slop(direct), settings_.relaxation,
-                                        direct, motions_);
+  const bool moved =
+      overlaps_.displace(model_.bodies, blocks_, movers_, slop(direct), relaxation(direct), direct, motions_);
   note_overlaps(now);
   close_joints(now);
   if (isolated_ && (moved || !model_.joints.empty())) islands_.restore(before_, motions_);
@@ -373,7 +375,7 @@ void BodyPile::correct_groups(Time now) {
   look_at_stops();
   const auto correct = [&](const Group& group, bool direct) {
     lists_.gather(group, blocks_, model_.bodies, movers_, motions_);
-    if (!overlaps_.displace(lists_.bodies, lists_.blocks, lists_.movers, slop(direct), settings_.relaxation,
+    if (!overlaps_.displace(lists_.bodies, lists_.blocks, lists_.movers, slop(direct), relaxation(direct),
                             direct, lists_.motions))
       return false;
     note_overlaps(now);

@@ -62,7 +62,8 @@ class BodyPile : public Stepper {
   void sweep(bool warm);
   void carry_impulses();
   void drift(Real h);
-  Real slop(bool direct) const;  // [m]
+  Real slop(bool direct) const;
+  Real relaxation(bool direct) const;  // [m]
   void correct_positions(Time now, bool direct);
   void correct_groups(Time now);
   void close_joints(Time now);

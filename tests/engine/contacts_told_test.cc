@@ -94,8 +94,9 @@ Balance balance(const Scene& scene, double dt, int steps) {
       ++result.told;
       const Real weight = model.bodies[i].mass * g * static_cast<Real>(dt);
       const Vector3 off = p - p_before + weight * Vector3::UnitY() - given.impulse[i];
-      // Laid to rest: what is left of the velocity is the solver's, 2^-20 of what gravity gives in a step.
-      if (p.isZero(0) && off.norm() <= weight / (1 << 20)) continue;
+      // Laid to rest: before and after the step whose impulses are told from then on, the speed was at most 2^-20 of what
+      // gravity gives in a step, so they are off by at most twice that.
+      if (p.isZero(0) && off.norm() <= 2 * weight / (1 << 20)) continue;
       const auto part =
           static_cast<double>(off.norm() / (weight + given.size[i] + p_before.norm() + p.norm()));
       if (part > result.worst)
