@@ -61,20 +61,27 @@ Row row(const std::string& id, const core::Scene& scene, const std::string& dire
   return result;
 }
 
-// The cheapest of ours that overlaps and creeps by a quarter of theirs, beside each of them.
-void verdict(std::span<const Row> ours, const Row& theirs, double wanted) {
-  if (!std::isfinite(theirs.ns)) return;  // it did not end: no ratio
+const Row* cheapest(std::span<const Row> ours, const Row& theirs, double share) {
   const Row* best = nullptr;
   for (const Row& r : ours)
-    if (r.overlap <= theirs.overlap / 4 && r.creep <= theirs.creep / 4 && (!best || r.ns < best->ns))
+    if (r.overlap <= share * theirs.overlap && r.creep <= share * theirs.creep && (!best || r.ns < best->ns))
       best = &r;
-  if (!best)
+  return best;
+}
+
+// The cheapest of ours that overlaps and creeps by a quarter of theirs, beside each of them; if there is none, the
+// cheapest with no more than theirs.
+void verdict(std::span<const Row> ours, const Row& theirs, double wanted) {
+  if (!std::isfinite(theirs.ns)) return;  // it did not end: no ratio
+  if (const Row* best = cheapest(ours, theirs, 0.25))
     return fmt::print(
-        "         beside {}: NOT MET by any of ours: overlap <= {:.3g} mm, creep <= {:.3g} mm/s\n", theirs.id,
-        1e3 * theirs.overlap / 4, 1e3 * theirs.creep / 4);
-  fmt::print("         {} costs {:.2f} of {} at a quarter of its overlap and creep, target {:.1f}: {}\n",
-             best->id, best->ns / theirs.ns, theirs.id, wanted,
-             best->ns <= wanted * theirs.ns ? "met" : "NOT MET");
+        "         {} costs {:.2f} of {} at a quarter of its overlap and creep, target {:.1f}: {}\n", best->id,
+        best->ns / theirs.ns, theirs.id, wanted, best->ns <= wanted * theirs.ns ? "met" : "NOT MET");
+  fmt::print("         beside {}: NOT MET by any of ours: overlap <= {:.3g} mm, creep <= {:.3g} mm/s\n",
+             theirs.id, 1e3 * theirs.overlap / 4, 1e3 * theirs.creep / 4);
+  if (const Row* best = cheapest(ours, theirs, 1))
+    fmt::print("         {} costs {:.2f} of {} at no more than its overlap and creep\n", best->id,
+               best->ns / theirs.ns, theirs.id);
 }
 
 }  // namespace
@@ -90,13 +97,14 @@ int main(int count, char** arguments) {
   for (const std::int64_t size : sizes) {
     const core::Scene scene = boxes(size);
     std::vector<Row> rows;
-    for (const char* id : {"in-house", "in-house-float", "bullet/iterations=10", "bullet-float/iterations=10",
-                           "bullet/path=as-expert", "ode-quick/iterations=10"})
+    for (const char* id : {"in-house", "in-house/sweeps=80", "in-house-float", "bullet/iterations=10",
+                           "bullet-float/iterations=10", "bullet/path=as-expert", "ode-quick/iterations=10"})
       rows.push_back(row(id, scene, directory));
-    const std::span all(rows);
-    verdict(all.first(1), rows[2], size < 10'000 ? 0.5 : 0.4);
-    verdict(all.subspan(1, 1), rows[3], size < 10'000 ? 0.5 : 0.4);
-    verdict(all.first(1), rows[4], size < 10'000 ? 0.5 : 0.4);
-    verdict(all.first(2), rows[5], 0.4);
+    const std::span all(rows), in_double = all.first(2), in_float = all.subspan(2, 1);
+    const double wanted = size < 10'000 ? 0.5 : 0.4;
+    verdict(in_double, rows[3], wanted);
+    verdict(in_float, rows[4], wanted);
+    verdict(in_double, rows[5], wanted);
+    verdict(all.first(3), rows[6], 0.4);
   }
 }

@@ -301,7 +301,6 @@ void BodyPile::advance_part(Time now, Time span) {
     correct_positions(now, direct);
     return;
   }
-  corrected_ = groups_.size();
   if (!crowds_.empty()) move_crowds(now, span);
   if (!crowds_.empty() || !resting_.empty() || !swept_.blocks.empty()) {
     taken_.assign(motions_.size(), 1);
@@ -383,8 +382,8 @@ void BodyPile::correct_groups(Time now) {
       if (!model_.bodies[index(group.bodies[i])].locked) motions_[index(group.bodies[i])] = lists_.motions[i];
     return true;
   };
-  displaced_.resize(corrected_);
-  for (std::size_t k = 0; k < corrected_; ++k) displaced_[k] = correct(groups_[k], true);
+  displaced_.resize(groups_.size());
+  for (std::size_t k = 0; k < groups_.size(); ++k) displaced_[k] = correct(groups_[k], true);
   if (!swept_.blocks.empty()) correct(swept_, false);
   close_joints(now);
   set_kinematics();

@@ -39,6 +39,7 @@ class BodyPile : public Stepper {
   bool is_crowd(const Group&) const;
   void move_crowds(Time now, Time span);
   bool rests(const Group&) const;
+  bool comes_to_rest(const Group&, Real span) const;
   void lay_to_rest(Real span);
   bool is_slow(const Group&, Real speed) const;
   bool is_on_edge(int body, const Group&) const;
@@ -62,8 +63,9 @@ class BodyPile : public Stepper {
   void sweep(bool warm);
   void carry_impulses();
   void drift(Real h);
-  Real slop(bool direct) const;
-  Real relaxation(bool direct) const;  // [m]
+  Real slop(bool direct) const;  // [m]
+  Real crowd_slop() const;
+  Real relaxation(bool direct) const;
   void correct_positions(Time now, bool direct);
   void correct_groups(Time now);
   void close_joints(Time now);
@@ -85,16 +87,12 @@ class BodyPile : public Stepper {
   Islands islands_;
   bool divided_ = false;       // solved group by group:
   std::vector<Group> groups_;  // these to rounding
-  std::size_t corrected_ = 0;  // of them; the others come from crowds_, whose overlaps sweeps remove
   std::vector<Group> crowds_;  // these by sweeps, each by itself
   std::vector<Group> resting_;
   std::vector<int> rest_;                // per body: the blocks of its group when that came to rest
   std::vector<char> still_, displaced_;  // per body: it hardly moved after the last step; per group
   Group swept_;                          // these by sweeps with joints and all forces, as one
   Crowd crowd_;
-  std::vector<char> may_be_exact_;  // of each crowd
-  std::vector<Motion> kept_;        // of those before they are swept, and their impulses
-  std::vector<Vector3> kept_impulses_;
   GroupLists lists_;
   std::vector<char> taken_;  // bodies that a pass advances; empty: all
   Rows closing_;             // of all joints, where the step has left the bodies

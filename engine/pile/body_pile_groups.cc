@@ -33,7 +33,8 @@ void BodyPile::divide(Real span) {
       continue;
     }
     for (const int body : group.bodies) rest_[index(body)] = awake;
-    if (!(few && is_small(group)) && is_crowd(group) && !bounces(group, span)) {
+    if (!(few && is_small(group)) && is_crowd(group) && !bounces(group, span) &&
+        !comes_to_rest(group, span)) {
       crowds_.push_back(std::move(group));
     } else if (static_cast<int>(group.blocks.size()) <= settings_.direct_points) {
       groups_.push_back(std::move(group));
@@ -61,6 +62,13 @@ bool BodyPile::bounces(const Group& group, Real span) const {
     const Real u = block.normal.dot(relative_velocity(block, movers_));
     return block.restitution > 0 && u < -fall && block.gap + 2 * (u - fall) * span <= 0;
   });
+}
+
+// Sweeps leave a group at rest with overlaps, and may not hold it: its last steps are solved to rounding, where it is
+// not too large for that.
+bool BodyPile::comes_to_rest(const Group& group, Real span) const {
+  return static_cast<int>(group.blocks.size()) <= settings_.direct_points &&
+         is_slow(group, gravity_ * span / 1024);
 }
 
 // A group that nothing has joined or left since it came to rest, and on which only gravity acts, stays at rest.
@@ -99,51 +107,27 @@ void BodyPile::lay_to_rest(Real span) {
     }
   };
   for (std::size_t k = 0; k < groups_.size(); ++k)
-    if (k >= corrected_ || !displaced_[k]) look(groups_[k]);
+    if (!displaced_[k]) look(groups_[k]);
   for (const Group& group : crowds_) look(group);
 }
 
-// By sweeps; where a group is at rest and they do not hold it, it is left to the direct solution, whose
-// impulses sweeps then keep.
 void BodyPile::move_crowds(Time now, Time span) {
-  const Real h = static_cast<Real>(span), fall = gravity_ * h;
+  const Real h = static_cast<Real>(span);
   const int parts = (7 * settings_.substeps + 9) / 10;  // two sweeps each
-  const Crowd::Step step = {model_.forces.gravity, h, parts, settings_.slop * found_.smallest() / 2};
-  kept_.clear(), kept_impulses_.clear(), may_be_exact_.clear();
-  for (const Group& group : crowds_) {
-    may_be_exact_.push_back(static_cast<int>(group.blocks.size()) <= settings_.direct_points &&
-                            is_slow(group, fall / 1024));
-    if (!may_be_exact_.back()) continue;
-    for (const int body : group.bodies) kept_.push_back(motions_[index(body)]);
-    for (const int k : group.blocks) kept_impulses_.push_back(blocks_[index(k)].impulse);
-  }
+  const Crowd::Step step = {model_.forces.gravity, h, parts, crowd_slop() / 2};
   crowd_.advance(crowds_, step, model_.bodies, movers_, blocks_, motions_, keep_ ? &pressed_ : nullptr);
-  std::size_t motion = 0, impulse = 0, kept = 0;
   for (std::size_t g = 0; g < crowds_.size(); ++g) {
-    Group& group = crowds_[g];
-    const bool is_kept = may_be_exact_[g] != 0;
-    const Real residual = crowd_.residual(g);
-    const bool leaves = is_kept && residual > fall / 1024;
-    if (leaves) {
-      for (std::size_t i = 0; i < group.bodies.size(); ++i)
-        motions_[index(group.bodies[i])] = kept_[motion + i];
-      for (std::size_t i = 0; i < group.blocks.size(); ++i) {
-        blocks_[index(group.blocks[i])].impulse = kept_impulses_[impulse + i];
-        if (keep_) pressed_[index(group.blocks[i])].setZero();
-      }
-    }
-    if (is_kept) motion += group.bodies.size(), impulse += group.blocks.size();
-    if (leaves) {
-      groups_.push_back(std::move(group));
-      continue;
-    }
-    meet(group, now, h);
-    swept_to_ = std::max(swept_to_, static_cast<double>(residual));
-    swept_times_ = std::max(swept_times_, 2 * parts);
-    if (kept != g) crowds_[kept] = std::move(group);
-    ++kept;
+    meet(crowds_[g], now, h);
+    swept_to_ = std::max(swept_to_, static_cast<double>(crowd_.residual(g)));
   }
-  crowds_.resize(kept);
+  swept_times_ = std::max(swept_times_, 2 * parts);
+}
+
+// The springs of a crowd give way by the square of the length of a part; so does what is left alone.
+Real BodyPile::crowd_slop() const {
+  const Real finer = Real(10) / static_cast<Real>(settings_.substeps);
+  return std::clamp(settings_.slop * finer * finer, settings_.direct_slop, settings_.slop) *
+         found_.smallest();
 }
 
 bool BodyPile::is_slow(const Group& group, Real speed) const {

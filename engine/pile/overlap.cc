@@ -10,6 +10,12 @@ constexpr int sweeps = 4;
 constexpr Real rounding_of_gap = 64 * epsilon;  // of a coordinate [m, rad]
 constexpr Real negligible = Real(1) / 1024;     // of the slop: overlaps tend to it and never reach it
 
+// Of a gap, where the places of its bodies are stored [m].
+Real rounding_of_places(const Block& block, const std::vector<Motion>& motions) {
+  const auto far = [&](int body) { return motions[index(body)].position.cwiseAbs().maxCoeff(); };
+  return 4 * epsilon * (block.b == fixed_world ? far(block.a) : std::max(far(block.a), far(block.b)));
+}
+
 }  // namespace
 
 bool Overlaps::displace(const std::vector<Body>& bodies, const std::vector<Block>& blocks,
@@ -27,7 +33,7 @@ bool Overlaps::displace(const std::vector<Body>& bodies, const std::vector<Block
     }
     if (block.kind != Block::Kind::contact) continue;
     const Real depth = -(block.gap + block.normal.dot(offset(block, motions))) - slop;
-    any |= depth > negligible * slop;
+    any |= depth > negligible * slop + rounding_of_places(block, motions);
     block.friction = 0;
     block.target = depth > 0 ? share * depth : depth;
   }

@@ -14,7 +14,7 @@ namespace cylon::engine::pile {
 /// `direct`: solved to rounding, the same whatever the order of bodies and blocks; else by sweeps.  Joints
 /// stay closed to first order.  The common centre of mass stays; the angular momentum does not: p x K changes
 /// by d x K.  False where nothing was to be done: no overlap is
-/// deeper than `slop` by a thousandth of it.
+/// deeper than `slop` by a thousandth of it and the rounding of the places.
 class Overlaps {
  public:
   bool displace(const std::vector<Body>&, const std::vector<Block>&, const std::vector<Mover>&, Real slop,

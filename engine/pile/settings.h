@@ -31,7 +31,7 @@ struct PileSettings {
   int exact_points = 64;
   int exact_total = 128;
 
-  /// So are other groups with at most this many, where they are at rest and sweeps do not hold them, and those
+  /// So are other groups with at most this many, where they come to rest, and those
   /// that sweeps cannot take: with joints, or with other forces than gravity.
   int direct_points = 512;
 };

@@ -46,6 +46,21 @@ TEST(PileCrowd, DroppedCubesComeToRest) {
   EXPECT_GT(end.back().position.y(), Real(3.49));
 }
 
+// Sweeps leave 1e-4 of a cube; what comes to rest is solved to rounding before.
+TEST(PileCrowd, AtRestNothingOverlaps) {
+  const Model model = dropped(4, 4);
+  const auto end = after(*make_pile(model, dt), 400);
+  EXPECT_EQ(fastest(end), 0);
+  const Real deepest = Real(1.01) * PileSettings().direct_slop * half;
+  EXPECT_GT(lowest(end), half - deepest);
+  EXPECT_LT(lowest(end), half);
+  for (std::size_t i = 0; i < end.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      const Vector3 apart = (end[i].position - end[k].position).cwiseAbs();
+      EXPECT_GT(apart.maxCoeff(), 2 * half - deepest) << k << " and " << i;
+    }
+}
+
 // Fourteen columns, whose contacts are too many to be solved to rounding in every step.
 Model columns() {
   Model model = pile_model(0, Real(0.5));
