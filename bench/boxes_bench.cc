@@ -1,11 +1,13 @@
-// A lattice of equal cubes dropped into an open box (edge 1 m, friction 0.5, no restitution, steps of 1/60 s
-// for 5 s): the in-house engine, Bullet and ODE's QuickStep through the same door, one after another in one
-// run, no engine with bodies that sleep.  A time never travels without its error: every row says how deep the
-// settled pile overlaps, and how far its cubes move in the last half second (the mean of all).
-//   boxes_bench [COUNT…]      100 and 1000 otherwise; 10000 takes about ten minutes
+// A lattice of bodies dropped into an open box (friction 0.5, no restitution, steps of 1/60 s for 5 s): the
+// in-house engine, Bullet and ODE's QuickStep through the same door, one after another in one run, no engine with
+// bodies that sleep.  A time never travels without its error: every row says how deep the settled pile overlaps,
+// and how far its bodies move in the last half second (the mean of all).  The bodies are cubes of 1 m, or `mixed`:
+// spheres, cubes, capsules and cylinders in turn.
+//   boxes_bench [mixed] [COUNT…]      100 and 1000 otherwise; 10000 takes about ten minutes
 #include "bench/engine_run.h"
 #include "bench/pile.h"
 #include "bench/scaling/touching.h"
+#include "harness/core/solid.h"
 
 #include <fmt/format.h>
 
@@ -14,8 +16,10 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -32,12 +36,22 @@ struct Row {
   double overlap = INFINITY, creep = INFINITY;  // [m]; [m/s]
 };
 
-core::Scene boxes(std::int64_t count) {
+core::Shape cube() { return core::Box{core::Vector3::Constant(bench::radius)}; }
+
+// The i-th of the kinds that every engine here has: all fit into the cell of the lattice.
+core::Shape in_turn(std::size_t i) {
+  constexpr double r = bench::radius;
+  const core::Shape kinds[] = {core::Sphere{r}, cube(), core::Capsule{r / 2, r}, core::Cylinder{r * 0.8, r}};
+  return kinds[i % std::size(kinds)];
+}
+
+core::Scene dropped(std::int64_t count, bool mixed) {
   const auto side = static_cast<std::int64_t>(std::lround(std::cbrt(static_cast<double>(count))));
   core::Scene scene = bench::pile(count, side, 0.6, 1.1);
-  for (core::Body& body : scene.bodies) {
-    body.shape = core::Box{core::Vector3::Constant(bench::radius)};
-    body.inertia = core::Matrix3::Identity() * (bench::mass * 4 * bench::radius * bench::radius / 6);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    core::Body& body = scene.bodies[i];
+    body.shape = mixed ? in_turn(i) : cube();
+    body.inertia = core::mass_properties(body.shape, bench::mass).inertia;
   }
   return scene;
 }
@@ -53,7 +67,7 @@ Row row(const std::string& id, const core::Scene& scene, const std::string& dire
   if (!recording) return {id};
   const auto& states = recording->states;
   const double body_steps = static_cast<double>(scene.bodies.size()) * steps;
-  const bench::Touching touching = bench::touching(scene, states.back(), std::sqrt(3.) * bench::radius, 1e-3);
+  const bench::Touching touching = bench::touching(scene, states.back(), 1e-3);
   const Row result{id, 1e9 * recording->cpu_seconds / body_steps, touching.deepest,
                    mean_distance(states.back(), states[states.size() - 2]) / (step * last)};
   fmt::print("{:>7}  {:<30} {:>10.0f} {:>12.3g} {:>12.3g} {:>9}\n", scene.bodies.size(), id, result.ns,
@@ -90,12 +104,13 @@ int main(int count, char** arguments) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   const std::string directory = std::filesystem::canonical("/proc/self/exe").parent_path().string();
   std::vector<std::int64_t> sizes;
-  for (int i = 1; i < count; ++i) sizes.push_back(std::stoll(arguments[i]));
+  const bool mixed = count > 1 && arguments[1] == std::string_view("mixed");
+  for (int i = mixed ? 2 : 1; i < count; ++i) sizes.push_back(std::stoll(arguments[i]));
   if (sizes.empty()) sizes = {100, 1000};
-  fmt::print("{:>7}  {:<30} {:>10} {:>12} {:>12} {:>9}\n", "cubes", "engine", "ns/(b*s)", "overlap mm",
-             "creep mm/s", "contacts");
+  fmt::print("{:>7}  {:<30} {:>10} {:>12} {:>12} {:>9}\n", mixed ? "bodies" : "cubes", "engine", "ns/(b*s)",
+             "overlap mm", "creep mm/s", "contacts");
   for (const std::int64_t size : sizes) {
-    const core::Scene scene = boxes(size);
+    const core::Scene scene = dropped(size, mixed);
     std::vector<Row> rows;
     for (const char* id : {"in-house", "in-house/sweeps=80", "in-house-float", "bullet/iterations=10",
                            "bullet-float/iterations=10", "bullet/path=as-expert", "ode-quick/iterations=10"})

@@ -137,9 +137,8 @@ Seen energy_drift(const core::Scene& scene, const core::State& state) {
   return {core::distance(q, before, after) / core::energy_scale(scene, start), 0};
 }
 
-template <bool box>
 Seen overlap_of(const core::Scene& scene, const core::State& state) {
-  const Touching t = touching(scene, state, box ? std::sqrt(3.) * radius : radius, 1e-3);
+  const Touching t = touching(scene, state, 1e-3);
   return {1e3 * t.deepest, t.pairs};
 }
 
@@ -148,8 +147,8 @@ constexpr Kind table[] = {
     {"rigid", "rigid bodies that fly freely and spin", "turn missed", "rad", false, rigid, turn_missed},
     {"springs", "beads on a folded line of springs", "drift of energy", "of its size", false, springs,
      energy_drift},
-    {"spheres", "spheres dropped into an open box", "overlap", "mm", true, spheres, overlap_of<false>},
-    {"boxes", "boxes dropped into an open box", "overlap", "mm", true, boxes, overlap_of<true>},
+    {"spheres", "spheres dropped into an open box", "overlap", "mm", true, spheres, overlap_of},
+    {"boxes", "boxes dropped into an open box", "overlap", "mm", true, boxes, overlap_of},
 };
 
 }  // namespace

@@ -67,6 +67,13 @@ bool stands_across(const Couple& couple, const Reference& face) {
   return incident.face_count > 0;
 }
 
+Real deepest(const Manifold& manifold) {
+  Real least = std::numeric_limits<Real>::infinity();
+  for (int k = 0; k < manifold.count; ++k)
+    least = std::min(least, manifold.points[static_cast<std::size_t>(k)].gap);
+  return least;
+}
+
 std::uint32_t single_feature(const Touch& t) {
   const auto number = [](int i) { return static_cast<std::uint32_t>(i + 1) & 0x7fffU; };
   return 0x80000000U | number(t.feature_a) << 16U | number(t.feature_b);
@@ -142,7 +149,8 @@ Manifold polytopes(const Shape& body, const Pose& pose, const Shape& other, cons
     for (int k = 0; k < count; ++k) reduction.add(corners[static_cast<std::size_t>(k)]);
     Manifold result = reduction.result(thinning.spare());
     result.thinned = result.thinned || patch.thinned;
-    if (result.count > 0) return result;
+    // Where edges cross beside the face, the deepest place is not over it.
+    if (result.count > 0 && deepest(result) <= t.gap - radii + slack) return result;
   }
   const Vector3 a = t.a - couple.a.radius * t.normal, b = t.b + couple.b.radius * t.normal;
   return one_point({t.gap - radii, pose.rotation * t.normal, world(a), world(b)}, margin, single_feature(t));
