@@ -82,6 +82,52 @@ Separation closed_form(const Sphere& sphere, const Pose& pose, const Box& box, c
   return result;
 }
 
+// In the half-plane (r, y) through the axis and the centre the frustum is a trapezoid with the edges (n, from, to) of the
+// low disc, the side and the high disc.  Inside gap = max n.(q - from) - radius; outside the distance to the nearest
+// edge, along n over it and away from its end beside it.
+Separation closed_form(const Sphere& sphere, const Pose& pose, const Frustum& frustum,
+                       const Pose& other_pose) {
+  using Flat = Eigen::Matrix<Real, 2, 1>;
+  struct Side {
+    Flat n, from, to;
+  };
+  const Vector3 p = other_pose.rotation.transpose() * (pose.position - other_pose.position);
+  const Real r = std::hypot(p.x(), p.z());
+  const Vector3 out = r > 0 ? Vector3(p.x() / r, 0, p.z() / r) : Vector3(Vector3::UnitX());
+  const Flat q(r, p.y()), low(frustum.low_radius, frustum.low), high(frustum.high_radius, frustum.high);
+  const Side sides[] = {{Flat(high.y() - low.y(), low.x() - high.x()).normalized(), low, high},
+                        {Flat(0, -1), Flat(0, low.y()), low},
+                        {Flat(0, 1), Flat(0, high.y()), high}};
+  Real widest = -std::numeric_limits<Real>::infinity(), gap = -widest;
+  Flat n, foot;
+  for (const Side& side : sides) {
+    const Real above = side.n.dot(q - side.from);
+    if (side.from != side.to && above > widest) widest = above, n = side.n;
+  }
+  if (widest <= 0) gap = widest, foot = q - gap * n;
+  for (const Side& side : sides) {
+    if (widest <= 0 || side.from == side.to) continue;  // inside; a tip
+    const Flat along = side.to - side.from;
+    const Real part = along.dot(q - side.from) / along.squaredNorm(), above = side.n.dot(q - side.from);
+    const bool over = part >= 0 && part <= 1;
+    const Flat end = part < 0 ? side.from : side.to, way = q - end;
+    const Real distance = over ? std::abs(above) : way.norm();
+    if (!(distance < gap)) continue;
+    gap = distance;
+    foot = over ? Flat(q - above * side.n) : end;
+    if (over || distance > 0) n = over ? side.n : Flat(way / distance);
+  }
+  Separation result;
+  const auto world = [&](const Flat& x) {
+    return Vector3(other_pose.rotation * (x.x() * out + x.y() * Vector3::UnitY()));
+  };
+  result.gap = gap - sphere.radius;
+  result.normal = world(n);
+  result.other_point = other_pose.position + world(foot);
+  result.point = pose.position - sphere.radius * result.normal;
+  return result;
+}
+
 // The segments' common part along a, both ends of which are within the margin.
 Manifold closed_manifold(const Capsule& a, const Pose& pose, const Capsule& b, const Pose& other_pose,
                          Real margin) {

@@ -9,6 +9,7 @@ namespace cylon::engine {
 Separation closed_form(const Sphere&, const Pose&, const Sphere&, const Pose&);
 Separation closed_form(const Sphere&, const Pose&, const Box&, const Pose&);
 Separation closed_form(const Sphere&, const Pose&, const Capsule&, const Pose&);
+Separation closed_form(const Sphere&, const Pose&, const Frustum&, const Pose&);
 Separation closed_form(const Capsule&, const Pose&, const Capsule&, const Pose&);
 
 /// As manifold(): two points where they lie side by side.

@@ -12,10 +12,31 @@ namespace {
 
 constexpr int polygon_corners = 16;
 
-// Half the angle of a tangent facet: (its angle)^2/2 is rounding.
+// Half the angle of a tangent facet: (its angle)^2/2 is rounding, and the angle its tangent.
 constexpr Real half_facet = epsilon < Real(1e-10) ? Real(1e-7) : Real(1e-3);
 
-Real angle_between(Real a, Real b) { return std::abs(std::remainder(a - b, 2 * pi)); }
+// Of angles from -2 pi to 2 pi.
+Real angle_between(Real a, Real b) {
+  const Real d = std::abs(a - b), turned = std::abs(d - 2 * pi);
+  return std::min({d, turned, std::abs(d - 4 * pi)});
+}
+
+// A direction across the axis.
+struct Out {
+  Real x = 1, z = 0;
+};
+
+Out out_at(Real angle) { return {std::cos(angle), std::sin(angle)}; }
+
+const std::array<Out, polygon_corners>& polygon() {
+  static const std::array<Out, polygon_corners> corners = [] {
+    std::array<Out, polygon_corners> made;
+    for (int k = 0; k < polygon_corners; ++k)
+      made[index(k)] = out_at(2 * pi * static_cast<Real>(k) / polygon_corners);
+    return made;
+  }();
+  return corners;
+}
 
 // The polytope of a frustum, in storage that is used again.
 class Round {
@@ -55,35 +76,46 @@ class Round {
 
  private:
   struct Corner {
+    Real angle = 0;  // from -pi to 2 pi
+    Out out;         // on the unit circle, or where its tangent facet ends
+    int facet = 0;   // the number of the tangent facet that it is an end of, from 1
+  };
+  struct Facet {
     Real angle = 0;
-    int facet = 0;  // the number of the tangent facet that it is an end of, from 1
+    Out out;
   };
 
   void begin_at(Real angle) {
     count_ = polygon_corners;
-    for (int k = 0; k < polygon_corners; ++k)
-      corners_[index(k)] = {std::remainder(angle + 2 * pi * static_cast<Real>(k) / polygon_corners, 2 * pi),
+    const Out first = out_at(angle);
+    for (int k = 0; k < polygon_corners; ++k) {
+      const Real at = angle + 2 * pi * static_cast<Real>(k) / polygon_corners;
+      const Out& turn = polygon()[index(k)];
+      corners_[index(k)] = {at > pi ? at - 2 * pi : at,
+                            {first.x * turn.x - first.z * turn.z, first.x * turn.z + first.z * turn.x},
                             0};
+    }
   }
 
   // Corners of the inscribed polygon, and facets found before, give way.
   bool add(Real angle) {
     Real nearest = pi / polygon_corners;
     for (int k = 0; k < facets_; ++k)
-      nearest = std::min(nearest, angle_between(angle, facet_angles_[index(k)]));
+      nearest = std::min(nearest, angle_between(angle, found_[index(k)].angle));
     if (nearest < half_facet / 2) return false;
-    if (facets_ == static_cast<int>(facet_angles_.size()))
-      return false;  // two a round: there is room for all
+    if (facets_ == static_cast<int>(found_.size())) return false;  // two a round: there is room for all
     moved_ = std::max(moved_, nearest);
     int kept = 0;
     for (int k = 0; k < count_; ++k) {
       const Corner& corner = corners_[index(k)];
-      const Real middle = corner.facet > 0 ? facet_angles_[index(corner.facet - 1)] : corner.angle;
+      const Real middle = corner.facet > 0 ? found_[index(corner.facet - 1)].angle : corner.angle;
       if (angle_between(angle, middle) > 4 * half_facet) corners_[index(kept++)] = corner;
     }
     count_ = kept;
-    facet_angles_[index(facets_++)] = angle;
-    for (const Real side : {-half_facet, half_facet}) corners_[index(count_++)] = {angle + side, facets_};
+    const Out out = out_at(angle);
+    found_[index(facets_++)] = {angle, out};
+    for (const Real side : {-half_facet, half_facet})
+      corners_[index(count_++)] = {angle + side, {out.x - side * out.z, out.z + side * out.x}, facets_};
     return true;
   }
 
@@ -101,8 +133,7 @@ class Round {
     h.vertices.resize(index(lows + highs));
     for (int k = 0; k < n; ++k) {
       const Corner& corner = corners_[index(k)];
-      const Real reach = corner.facet > 0 ? 1 / std::cos(half_facet) : Real(1);
-      const Vector3 out(reach * std::cos(corner.angle), 0, reach * std::sin(corner.angle));
+      const Vector3 out(corner.out.x, 0, corner.out.z);
       h.vertices[index(low(k))] = frustum_.low_radius * out + frustum_.low * Vector3::UnitY();
       h.vertices[index(high(k))] = frustum_.high_radius * out + frustum_.high * Vector3::UnitY();
     }
@@ -133,20 +164,15 @@ class Round {
   }
 
   Vector3 side_normal(const Corner& from, const Corner& to, Real height) const {
-    if (from.facet > 0 && from.facet == to.facet)
-      return slope(facet_angles_[index(from.facet - 1)], 1, height);
+    if (from.facet > 0 && from.facet == to.facet) return slope(found_[index(from.facet - 1)].out, 1, height);
     // Across the chord, which is `reach` from the axis where the circle is 1.
-    const auto place = [](const Corner& c) {
-      const Real reach = c.facet > 0 ? 1 / std::cos(half_facet) : Real(1);
-      return Vector3(reach * std::cos(c.angle), 0, reach * std::sin(c.angle));
-    };
-    const Vector3 p = place(from), q = place(to), out = Vector3::UnitY().cross(q - p).normalized();
-    return slope(std::atan2(out.z(), out.x()), out.dot(p), height);
+    const Real x = to.out.z - from.out.z, z = from.out.x - to.out.x, length = std::sqrt(x * x + z * z);
+    const Out across{x / length, z / length};
+    return slope(across, across.x * from.out.x + across.z * from.out.z, height);
   }
 
-  Vector3 slope(Real angle, Real reach, Real height) const {
-    return Vector3(height * std::cos(angle), reach * (frustum_.low_radius - frustum_.high_radius),
-                   height * std::sin(angle))
+  Vector3 slope(const Out& out, Real reach, Real height) const {
+    return Vector3(height * out.x, reach * (frustum_.low_radius - frustum_.high_radius), height * out.z)
         .normalized();
   }
 
@@ -154,7 +180,7 @@ class Round {
   Hull* hull_ = nullptr;
   std::array<Corner, std::size_t{polygon_corners} + std::size_t{4} * Facetted::most_rounds> corners_;
   int count_ = 0;
-  std::array<Real, std::size_t{2} * Facetted::most_rounds> facet_angles_{};
+  std::array<Facet, std::size_t{2} * Facetted::most_rounds> found_{};
   int facets_ = 0;
   Real moved_ = 0;  // in the last look(), from the nearest facet there was
 };
@@ -174,12 +200,15 @@ Facetted::Facetted(const Shape& body, const Pose& pose, const Shape& other, cons
     if (*round) same_ = std::max(same_, 4 * (*round)->width()), far += (*round)->sagitta();
   for (int round = 0; round < Facetted::most_rounds; ++round) {
     const Couple couple(*shapes_[0], pose, *shapes_[1], other_pose);
-    const Touch t = touch(couple);
-    if (t.gap - couple.a.radius - couple.b.radius > far) return;
+    const Real radii = couple.a.radius + couple.b.radius;
+    const Touch t = cylon::engine::touch(couple, far + radii);
+    touch_ = t;
+    if (t.gap - radii > far) return;
     bool any = a && a->look(-t.normal, t.b);
     if (b) any |= b->look(couple.turn.transpose() * t.normal, couple.turn.transpose() * (t.a - couple.shift));
     if (!any) return;
   }
+  touch_.reset();  // there is a facet more
   for (const auto* round : {&a, &b})
     if (*round) unsettled_ = std::max(unsettled_, (*round)->last_miss());
 }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "engine/geometry/pose.h"
+#include "engine/geometry/touch.h"
 
 #include <array>
 #include <limits>
+#include <optional>
 
 namespace cylon::engine {
 
@@ -20,6 +22,9 @@ class Facetted {
   Facetted(const Shape& body, const Pose&, const Shape& other, const Pose& other_pose,
            Real far = std::numeric_limits<Real>::infinity());
 
+  /// Where the two are as they were left; none for convex shapes that are themselves.
+  const std::optional<Touch>& touch() const { return touch_; }
+
   const Shape& body() const { return *shapes_[0]; }
   const Shape& other() const { return *shapes_[1]; }
   /// Points nearer to each other than this are one [m].
@@ -33,6 +38,7 @@ class Facetted {
 
  private:
   std::array<const Shape*, 2> shapes_;
+  std::optional<Touch> touch_;
   Real same_ = 0, unsettled_ = 0;
 };
 

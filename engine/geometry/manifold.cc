@@ -118,10 +118,10 @@ struct Thinning {
 };
 
 Manifold polytopes(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose,
-                   Real margin, const Thinning& thinning) {
+                   Real margin, const Thinning& thinning, const std::optional<Touch>& known = {}) {
   const Couple couple(body, pose, other, other_pose);
   const Real radii = couple.a.radius + couple.b.radius;
-  const Touch t = touch(couple);
+  const Touch t = known ? *known : touch(couple, margin + radii);
   if (!(t.gap - radii < margin)) return no_manifold();
 
   const auto world = [&](const Vector3& x) { return Vector3(pose.position + pose.rotation * x); };
@@ -168,8 +168,9 @@ Manifold round_polytopes(const Shape& body, const Pose& pose, const Shape& other
   const auto *a = std::get_if<Frustum>(&body), *b = std::get_if<Frustum>(&other);
   const bool on_body = b == nullptr || (a != nullptr && bounding_radius(body) <= bounding_radius(other));
   const Facetted facetted(body, pose, other, other_pose, margin);
-  Manifold result = polytopes(facetted.body(), pose, facetted.other(), other_pose, margin,
-                              {on_body ? pose : other_pose, on_body ? a : b, on_body, facetted.same()});
+  Manifold result =
+      polytopes(facetted.body(), pose, facetted.other(), other_pose, margin,
+                {on_body ? pose : other_pose, on_body ? a : b, on_body, facetted.same()}, facetted.touch());
   result.unsettled = facetted.unsettled();
   return result;
 }

@@ -103,7 +103,7 @@ Simplex tetrahedron(const std::array<Vertex, 4>& x, Real size) {
 
 }  // namespace
 
-Nearest nearest(const Couple& couple) {
+Nearest nearest(const Couple& couple, Real far) {
   const auto vertex = [&](const Vector3& direction) {
     Vertex x;
     x.a = couple.support_a(direction), x.b = couple.support_b(-direction);
@@ -113,6 +113,7 @@ Nearest nearest(const Couple& couple) {
 
   Simplex s = point(vertex(couple.shift));
   const Real rounding = 4 * epsilon * couple.size;
+  bool is_far = false;
   // Each step takes a simplex nearer than the last, so none comes twice and the steps end by themselves; where that takes
   // more than these, the plane between the points that were found is not clear of both shapes, which touch() sees: it
   // asks the axes then.
@@ -120,12 +121,17 @@ Nearest nearest(const Couple& couple) {
   for (int step = 0; step < most_steps; ++step) {
     if (s.v.squaredNorm() <= rounding * rounding) return {};
     const Vertex next = vertex(-s.v);
+    const Real between = next.w.dot(s.v);
+    if (between > 0 && between * between > far * far * s.v.squaredNorm()) {
+      is_far = true;
+      break;
+    }
     bool known = false;
     for (int k = 0; k < s.count; ++k) {
       const Vertex& old = s.vertex[static_cast<std::size_t>(k)];
       known = known || (old.a == next.a && old.b == next.b);
     }
-    if (known || next.w.dot(s.v) >= s.v.squaredNorm()) break;
+    if (known || between >= s.v.squaredNorm()) break;
     const auto& x = s.vertex;
     const Simplex wider = s.count == 1   ? segment(x[0], next)
                           : s.count == 2 ? triangle(x[0], x[1], next)
@@ -144,6 +150,7 @@ Nearest nearest(const Couple& couple) {
   }
   result.distance = s.v.norm();
   result.normal = s.v.normalized();
+  result.is_far = is_far;
   return result;
 }
 

@@ -3,6 +3,8 @@
 
 #include "engine/geometry/core.h"
 
+#include <limits>
+
 namespace cylon::engine {
 
 /// In a's axes.
@@ -10,12 +12,14 @@ struct Nearest {
   Vector3 a, b;       ///< The points [m].
   Vector3 normal;     ///< Unit, from b to a; undefined where they overlap.
   Real distance = 0;  ///< |a - b| [m]; 0 where they overlap or are within rounding of it.
+  bool is_far = false;
 };
 
 /// The algorithm of Gilbert, Johnson and Keerthi (IEEE J. Robotics and Automation 4 (1988) 193): the point of
 /// the difference a - b nearest to the origin, from simplices of its vertices, each nearer than the last.
 /// It goes on until rounding stops it, not until some tolerance: the last simplex is then the pair of nearest
-/// features, and normal and distance follow from it to rounding.
-Nearest nearest(const Couple&);
+/// features, and normal and distance follow from it to rounding.  Where a plane is found on the way that has more than
+/// `far` [m] between the two, it ends there: the distance is then an upper bound.
+Nearest nearest(const Couple&, Real far = std::numeric_limits<Real>::infinity());
 
 }  // namespace cylon::engine

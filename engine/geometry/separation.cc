@@ -16,12 +16,17 @@ Separation nothing(const Shape&, const Pose& pose, const Shape&, const Pose& oth
   return {std::numeric_limits<Real>::infinity(), Vector3::UnitY(), pose.position, other.position};
 }
 
-Separation general(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose) {
+Separation from_touch(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose,
+                      const std::optional<Touch>& known) {
   const Couple couple(body, pose, other, other_pose);
-  const Touch t = touch(couple);
+  const Touch t = known ? *known : touch(couple);
   const Vector3 a = t.a - couple.a.radius * t.normal, b = t.b + couple.b.radius * t.normal;
   return {t.gap - couple.a.radius - couple.b.radius, pose.rotation * t.normal,
           pose.position + pose.rotation * a, pose.position + pose.rotation * b};
+}
+
+Separation general(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose) {
+  return from_touch(body, pose, other, other_pose, {});
 }
 
 template <SeparationOf row>
@@ -43,7 +48,7 @@ concept HasClosedForm = requires(const A& a, const B& b, const Pose& pose) {
 
 Separation general_round(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose) {
   const Facetted facetted(body, pose, other, other_pose);
-  return general(facetted.body(), pose, facetted.other(), other_pose);
+  return from_touch(facetted.body(), pose, facetted.other(), other_pose, facetted.touch());
 }
 
 // The least of all pairs of parts.

@@ -86,8 +86,9 @@ Touch from_axis(const Couple& couple, const Axis& axis) {
 // like needles, of nearly parallel edges, can stop it early.  An axis is a lower bound; where points of both
 // shapes are that far apart along it, it is the distance.  Where none are (corners and edges against
 // corners), it is nearest()'s.
-Touch touch(const Couple& couple) {
-  const Nearest apart = nearest(couple);
+Touch touch(const Couple& couple, Real far) {
+  const Nearest apart = nearest(couple, far);
+  if (apart.is_far) return {apart.distance, apart.normal, apart.a, apart.b};
   const Real rounding = epsilon * couple.size;
   const bool close = !(apart.distance > near * couple.size);
   if (close || couple.between(apart.normal) < apart.distance - 8 * rounding) {

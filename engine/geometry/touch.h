@@ -4,6 +4,8 @@
 
 #include "engine/geometry/axis.h"
 
+#include <limits>
+
 namespace cylon::engine {
 
 /// In a's axes; without the rounding radii.
@@ -16,6 +18,7 @@ struct Touch {
   bool reached = false;                ///< By an axis, and points of both are `gap` apart along it.
 };
 
-Touch touch(const Couple&);
+/// If the two are farther apart than `far` [m], the gap may be any upper bound of theirs, with a normal to it.
+Touch touch(const Couple&, Real far = std::numeric_limits<Real>::infinity());
 
 }  // namespace cylon::engine

@@ -355,14 +355,16 @@ Real BodyPile::slop(bool direct) const {
   return (direct ? settings_.direct_slop : settings_.slop) * found_.smallest();
 }
 
-Real BodyPile::relaxation(bool direct) const { return direct ? Real(1) : settings_.relaxation; }
+Overlaps::Share BodyPile::share(bool direct) const {
+  return {settings_.relaxation, direct ? settings_.at_once * found_.smallest() : 0};
+}
 
 void BodyPile::correct_positions(Time now, bool direct) {
   set_kinematics();
   look_at_stops();
   if (isolated_) islands_.note(motions_), before_ = motions_;
   const bool moved =
-      overlaps_.displace(model_.bodies, blocks_, movers_, slop(direct), relaxation(direct), direct, motions_);
+      overlaps_.displace(model_.bodies, blocks_, movers_, slop(direct), share(direct), direct, motions_);
   note_overlaps(now);
   close_joints(now);
   if (isolated_ && (moved || !model_.joints.empty())) islands_.restore(before_, motions_);
@@ -374,8 +376,8 @@ void BodyPile::correct_groups(Time now) {
   look_at_stops();
   const auto correct = [&](const Group& group, bool direct) {
     lists_.gather(group, blocks_, model_.bodies, movers_, motions_);
-    if (!overlaps_.displace(lists_.bodies, lists_.blocks, lists_.movers, slop(direct), relaxation(direct),
-                            direct, lists_.motions))
+    if (!overlaps_.displace(lists_.bodies, lists_.blocks, lists_.movers, slop(direct), share(direct), direct,
+                            lists_.motions))
       return false;
     note_overlaps(now);
     for (std::size_t i = 0; i < group.bodies.size(); ++i)

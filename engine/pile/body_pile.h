@@ -65,7 +65,7 @@ class BodyPile : public Stepper {
   void drift(Real h);
   Real slop(bool direct) const;  // [m]
   Real crowd_slop() const;
-  Real relaxation(bool direct) const;
+  Overlaps::Share share(bool direct) const;
   void correct_positions(Time now, bool direct);
   void correct_groups(Time now);
   void close_joints(Time now);

@@ -19,7 +19,7 @@ Real rounding_of_places(const Block& block, const std::vector<Motion>& motions) 
 }  // namespace
 
 bool Overlaps::displace(const std::vector<Body>& bodies, const std::vector<Block>& blocks,
-                        const std::vector<Mover>& movers, Real slop, Real share, bool direct,
+                        const std::vector<Mover>& movers, Real slop, Share share, bool direct,
                         std::vector<Motion>& motions) {
   bool any = false;
   residual_ = 0;
@@ -35,7 +35,7 @@ bool Overlaps::displace(const std::vector<Body>& bodies, const std::vector<Block
     const Real depth = -(block.gap + block.normal.dot(offset(block, motions))) - slop;
     any |= depth > negligible * slop + rounding_of_places(block, motions);
     block.friction = 0;
-    block.target = depth > 0 ? share * depth : depth;
+    block.target = depth > 0 ? std::max(share.part * depth, std::min(depth, share.at_once)) : depth;
   }
   if (!any) return false;
   movers_ = movers;

@@ -17,8 +17,12 @@ namespace cylon::engine::pile {
 /// deeper than `slop` by a thousandth of it and the rounding of the places.
 class Overlaps {
  public:
+  /// Of an overlap, what a displacement removes: all up to `at_once` [m], and no less than `part` of it.
+  struct Share {
+    Real part, at_once;
+  };
   bool displace(const std::vector<Body>&, const std::vector<Block>&, const std::vector<Mover>&, Real slop,
-                Real share, bool direct, std::vector<Motion>&);
+                Share, bool direct, std::vector<Motion>&);
 
   /// How far the last displacement is from the one that is wanted, where that is more than a thousandth of
   /// the slop [m]; else 0.

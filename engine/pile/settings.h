@@ -16,9 +16,10 @@ struct PileSettings {
   /// 0: as many as the machine has.  The result does not depend on it, bit for bit.
   int threads = 1;
 
-  /// Share of the overlap that sweeps take away in a step, by moving bodies apart without touching their velocities.
-  /// The direct solution takes all of it.
+  /// Share of the overlap that a step takes away, by moving bodies apart without touching their velocities.  The direct
+  /// solution takes all of it up to `at_once`, relative to the smaller radius or half-extent.
   Real relaxation = Real(0.2);
+  Real at_once = Real(1) / 64;
 
   /// Overlap that is left alone, relative to the smaller radius or half-extent: by sweeps, whose contacts it keeps from
   /// coming and going; by the direct solution, which needs none, only what is near rounding.
