@@ -80,7 +80,10 @@ void refuse_other_root(const Format& format, const XmlFacts& facts, const std::s
 XmlFacts checked(const Format& format, const std::string& text, const std::string& file) {
   const XmlFacts facts = require_small_xml(text, file, format.body);
   refuse_other_root(format, facts, file);
-  if (format.name == "MJCF") require_no_nan(text, file);
+  if (format.name == "MJCF")
+    require_no_nan(text, file);
+  else
+    require_single(text, file);
   return facts;
 }
 

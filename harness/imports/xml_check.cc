@@ -117,6 +117,21 @@ bool has_nan(std::string_view value) {
   return any;
 }
 
+// Parts of which an element has one.
+struct Single {
+  std::string_view whole, part;
+};
+constexpr Single singles[] = {
+    {"link", "inertial"}, {"inertial", "mass"},      {"inertial", "inertia"}, {"inertial", "origin"},
+    {"inertial", "pose"}, {"collision", "geometry"}, {"collision", "origin"}, {"collision", "pose"},
+    {"joint", "parent"},  {"joint", "child"},        {"joint", "origin"},     {"joint", "pose"},
+    {"joint", "axis"},    {"joint", "axis2"},        {"joint", "limit"},      {"joint", "dynamics"},
+    {"joint", "mimic"},   {"axis", "xyz"},           {"axis", "limit"},       {"axis", "dynamics"},
+    {"axis2", "xyz"},     {"axis2", "limit"},        {"axis2", "dynamics"},
+};
+// What is inside these is nobody's link or joint.
+constexpr std::string_view others[] = {"gazebo", "plugin", "transmission", "state"};
+
 }  // namespace
 
 XmlFacts require_small_xml(std::string_view text, const std::string& file, std::string_view body) {
@@ -166,6 +181,37 @@ void require_no_nan(std::string_view text, const std::string& file) {
                            fmt::format("{}: {}=\"{}\": NaN is no number", shown(tag), a.name, a.value));
       },
       [] {});
+}
+
+void require_single(std::string_view text, const std::string& file) {
+  struct Open {
+    std::string_view name, tag;
+    std::vector<std::string_view> parts;
+  };
+  std::vector<Open> open;
+  int apart = 0;
+  const auto is_other = [](std::string_view name) {
+    return std::ranges::find(others, name) != std::end(others);
+  };
+  walk(
+      text,
+      [&](std::size_t at, std::string_view tag) {
+        const std::string_view name = name_at(text, at + 1);
+        apart += is_other(name) ? 1 : 0;
+        const auto is_this = [&](const Single& s) { return s.whole == open.back().name && s.part == name; };
+        if (!open.empty() && apart == 0 && std::ranges::any_of(singles, is_this)) {
+          Open& whole = open.back();
+          if (std::ranges::find(whole.parts, name) != whole.parts.end())
+            throw error_at(text, at, file, fmt::format("{}: a second <{}>", shown(whole.tag), name));
+          whole.parts.push_back(name);
+        }
+        open.push_back({name, tag, {}});
+      },
+      [&] {
+        if (open.empty()) return;
+        apart -= is_other(open.back().name) ? 1 : 0;
+        open.pop_back();
+      });
 }
 
 }  // namespace cylon::imports

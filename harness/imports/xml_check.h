@@ -1,6 +1,6 @@
 // What is refused before the library of a format sees it: elements nested so deep that its recursion could exhaust the
-// stack, or takes time quadratic in the depth; more bodies than an import takes; a root that is another format's; and
-// numbers that are none.
+// stack, or takes time quadratic in the depth; more bodies than an import takes; a root that is another format's;
+// numbers that are none; and a second element where there is one, which urdfdom and libsdformat leave out.
 #pragma once
 
 #include <cstddef>
@@ -30,5 +30,9 @@ XmlFacts require_small_xml(std::string_view text, const std::string& file, std::
 
 /// Throws core::InputError at the first attribute that has NaN for a number: MuJoCo takes it for one that is not given.
 void require_no_nan(std::string_view text, const std::string& file);
+
+/// Of URDF and SDFormat.  Throws core::InputError at the first part of a link or joint that has one of its kind already,
+/// such as a second <inertial>: the libraries read one of them and say nothing.
+void require_single(std::string_view text, const std::string& file);
 
 }  // namespace cylon::imports

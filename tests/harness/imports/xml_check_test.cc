@@ -87,5 +87,25 @@ TEST(XmlNan, IsRefusedWithItsElement) {
     EXPECT_EQ(refused(text), "taken") << text;
 }
 
+// urdfdom and libsdformat read one of the two, and the mass of the other was lost without a word.
+TEST(XmlSecondParts, AreRefusedWithTheirWhole) {
+  const auto refused = [](const std::string& text) {
+    return refusal_of([&] { require_single(text, "a.urdf"); });
+  };
+  EXPECT_EQ(
+      refused("<robot><link name='arm'><inertial><mass value='1'/></inertial>\n<inertial/></link></robot>"),
+      "a.urdf:2:1: link 'arm': a second <inertial>");
+  EXPECT_EQ(refused("<joint name='a'><limit lower='0'/><axis xyz='0 0 1'/><limit lower='1'/></joint>"),
+            "a.urdf:1:54: joint 'a': a second <limit>");
+  EXPECT_EQ(refused("<joint><axis><xyz>1 0 0</xyz><xyz>0 1 0</xyz></axis></joint>"),
+            "a.urdf:1:30: <axis>: a second <xyz>");
+  for (const char* text :
+       {"<robot><link><inertial/></link><link><inertial/></link></robot>",
+        "<link><visual/><visual/><collision/><collision/></link>", "<joint><!-- <limit/> --><limit/></joint>",
+        "<gazebo><link><inertial/><inertial/></link></gazebo>",
+        "<joint><axis><limit/></axis><axis2><limit/></axis2></joint>"})
+    EXPECT_EQ(refused(text), "taken") << text;
+}
+
 }  // namespace
 }  // namespace cylon::imports
