@@ -139,5 +139,13 @@ TEST_P(Joints, OthersDoTouch) {
   EXPECT_GT((end[1].position - bare[1].position).norm(), 1e-4);
 }
 
+// A name is for claims: the workers in JavaScript did not know the key, and ended each scene that has one as a failure.
+TEST_P(Joints, AreTheSameByAnyName) {
+  core::Scene scene = pendulum(61, 2);
+  const core::State unnamed = last(subject().choice(), scene, 1. / 512, 50);
+  scene.joints[0].name = "elbow", scene.joints[1].name = "wrist";
+  EXPECT_EQ(difference(last(subject().choice(), scene, 1. / 512, 50), unnamed), 0);
+}
+
 }  // namespace
 }  // namespace cylon::conformance

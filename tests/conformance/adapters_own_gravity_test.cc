@@ -1,18 +1,10 @@
 // A gravity that a body states reaches every engine, in place of the scene's.
 #include "tests/conformance/adapters_fixture.h"
 
-#include <string_view>
-
 namespace cylon::conformance {
 namespace {
 
-class OwnGravity : public EveryEngine {
- protected:
-  void SetUp() override {
-    if (const std::string_view id = subject().id; id == "mujoco" || id.starts_with("simbody"))
-      GTEST_SKIP() << "its adapter does not map a body's own gravity, and gets no such scene";
-  }
-};
+class OwnGravity : public EveryEngine {};
 INSTANTIATE_TEST_SUITE_P(Adapters, OwnGravity, testing::ValuesIn(subjects), test_name);
 
 const Vector3 of_all(0.4, -9.1, 0.3), own(1.3, 2.4, -0.8);

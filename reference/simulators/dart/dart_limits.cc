@@ -26,9 +26,7 @@ const core::Body& body(const Scene& scene, int i) { return scene.bodies[static_c
 // ---- Joints -------------------------------------------------------------------------------------------
 
 // What hangs a body from another, and what closes a loop; a kind that stands in neither is not known here.
-bool hangs(JointType type) {
-  return type == JointType::ball || type == JointType::hinge || type == JointType::fixed;
-}
+bool hangs(JointType type) { return type != JointType::cylindrical && type != JointType::distance; }
 bool closes(JointType type) { return type == JointType::ball || type == JointType::fixed; }
 
 Reason against_joints(const Scene& scene) {
@@ -41,8 +39,10 @@ Reason against_joints(const Scene& scene) {
           "DART has no constraint that keeps a distance, such as that of '{}' (dart/constraint/).",
           body(scene, joint.body).name);
     if (!hangs(joint.type))
-      return fmt::format("This adapter gives DART no joint of type {}, such as that of '{}'.", kind.name,
-                         body(scene, joint.body).name);
+      return fmt::format(
+          "DART has no joint that turns about an axis and slides along it (dart/dynamics/), such as the {} "
+          "one of '{}'.",
+          kind.name, body(scene, joint.body).name);
   }
   for (const std::size_t j : applied::forest_of(scene).loops) {
     const core::Joint& joint = scene.joints[j];

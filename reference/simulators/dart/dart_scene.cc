@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 namespace cylon::simulators {
 namespace {
@@ -17,12 +18,25 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 dart_border::Turn turn(const core::Quaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
+// Of the material point of a body that is at `point`.
+core::Vector3 velocity_at(const core::BodyState& body, const core::Vector3& point) {
+  return body.velocity + body.angular_velocity.cross(point - body.position);
+}
+
 Hang hang_of(const core::Joint& joint) {
   switch (joint.type) {
     case JointType::ball:
       return Hang::by_ball;
     case JointType::hinge:
       return Hang::by_hinge;
+    case JointType::slider:
+      return Hang::by_slider;
+    case JointType::screw:
+      return Hang::by_screw;
+    case JointType::universal:
+      return Hang::by_universal;
+    case JointType::planar:
+      return Hang::in_plane;
     case JointType::fixed:
       return Hang::fixed;
     default:
@@ -55,10 +69,18 @@ std::vector<dart_border::Body> dart_bodies(const Scene& scene, const applied::Fo
     const applied::Node& node = forest.nodes[i];
     if (node.joint >= 0) {
       const core::Joint& joint = scene.joints[at(node.joint)];
-      core::Vector3 spin = start.angular_velocity;
-      if (node.parent != core::world) spin -= scene.bodies[at(node.parent)].initial.angular_velocity;
+      core::Vector3 spin = start.angular_velocity, slide = velocity_at(start, joint.point);
+      if (node.parent != core::world) {
+        const core::BodyState& parent = scene.bodies[at(node.parent)].initial;
+        spin -= parent.angular_velocity, slide -= velocity_at(parent, joint.point);
+      }
       one.hang = hang_of(joint), one.parent = node.parent;
-      one.point = to_dart(joint.point), one.axis = to_dart(joint.axis), one.turn_rate = to_dart(spin);
+      one.point = to_dart(joint.point), one.axis = to_dart(joint.axis);
+      one.axis_2 = to_dart(joint.axis_2.value_or(joint.axis)), one.pitch = joint.pitch;
+      // The first axis of a universal joint is fixed in `to`, which may be the child here.
+      if (joint.type == JointType::universal && joint.body != static_cast<int>(i))
+        std::swap(one.axis, one.axis_2);
+      one.turn_rate = to_dart(spin), one.slide_rate = to_dart(slide);
     }
     all.push_back(one);
   }

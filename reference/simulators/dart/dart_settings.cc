@@ -156,7 +156,9 @@ core::Engine dart_engine(std::string version) {
                       "always 'as-shipped'",
                       {{scheme, 1, "linear momentum"}},
                       dart_options().offered()};
-  engine.knows = {"collision_filters", "frame_acceleration", "body_gravity", "joint_forces", "joint_targets"};
+  engine.knows = {"collision_filters",  "frame_acceleration", "body_gravity",     "slider_joints",
+                  "cylindrical_joints", "planar_joints",      "universal_joints", "screw_joints",
+                  "joint_forces",       "joint_targets"};
   return engine;
 }
 

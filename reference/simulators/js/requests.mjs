@@ -70,7 +70,7 @@ const scene = object({
   drive: list(object({body: text, force: vector, frequency: number})),
   attraction: list(object({body: text, to: text, strength: number})),
   water: list(object({level: number, wave: number, speed: number, buoyancy: number, drag: number, mode: text})),
-  joint: list(object({type: text, body: text, 'to?': text, 'point?': vector, 'axis?': vector, 'length?': number})),
+  joint: list(object({type: text, 'name?': text, body: text, 'to?': text, 'point?': vector, 'axis?': vector, 'length?': number})),
   plane: list(object({name: text, normal: vector, offset: number, ...filters})),
   material: list(object({between: list(text), restitution: number, friction: number})),
   gravity: vector, 'frame?': object({velocity: vector, angular_velocity: vector, 'acceleration?': vector, 'frequency?': number, 'angular_acceleration?': vector}), impacts: text,

@@ -192,7 +192,7 @@ void Mujoco::step() {
   mjData& d = *world_.data;
   d.time = static_cast<double>(steps_ - 1) * dt_;
   if (!forces_->changing().empty()) set_masses();
-  running_ = forces_->any() ? this : nullptr;
+  running_ = forces_->any() || core::states_own_gravity(scene_) ? this : nullptr;
   mj_step(world_.model.get(), &d);
   running_ = nullptr;
   if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
@@ -244,7 +244,11 @@ void Mujoco::apply_forces() try {
   const std::vector<applied::Wrench>& wrenches = forces_->at(d->time, state_);
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const Place& place = places_[i];
-    const Vector3 &f = wrenches[i].force, &t = wrenches[i].torque;
+    Vector3 f = wrenches[i].force;
+    const Vector3& t = wrenches[i].torque;
+    // MuJoCo's own gravity, and the difference to it.
+    if (const auto& gravity = scene_.bodies[i].gravity)
+      f += m->body_mass[place.body] * (*gravity - core::gravity(scene_));
     if (place.body == 0 || (f.isZero(0) && t.isZero(0))) continue;
     if (!place.free) {
       mj_applyFT(m, d, f.data(), t.data(), d->xipos + 3 * std::ptrdiff_t{place.body}, place.body,

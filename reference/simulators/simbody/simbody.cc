@@ -102,7 +102,7 @@ core::Terms Simbody::load(const Scene& scene, const Setup& setup) {
   thrown_ = nullptr, lost_.reset(), failed_ = 0;
   integrator_.reset();
   SimbodyLaw law;
-  if (forces_->any())
+  if (forces_->any() || core::states_own_gravity(scene_))
     law = [this](const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& on) { apply(state, on); };
   world_ = std::make_unique<SimbodyWorld>(scene_, forest_, std::move(law));
   begin(world_->start(scene_, forest_));
@@ -168,7 +168,11 @@ void Simbody::apply(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>
   const std::vector<applied::Wrench>& wrenches = forces_->at(state.getTime(), state_);
   for (std::size_t i = 0; i < wrenches.size(); ++i) {
     if (scene_.bodies[i].locked) continue;
-    const SimTK::SpatialVec wrench(to_simbody(wrenches[i].torque), to_simbody(wrenches[i].force));
+    Vector3 force = wrenches[i].force;
+    // A mass that changes is held for the step, and what falls falls with it.
+    if (const auto& gravity = scene_.bodies[i].gravity)
+      force += world_->mobilized(i).getBodyMass(state) * *gravity;
+    const SimTK::SpatialVec wrench(to_simbody(wrenches[i].torque), to_simbody(force));
     on[world_->mobilized(i).getMobilizedBodyIndex()] += wrench;
   }
 } catch (...) {

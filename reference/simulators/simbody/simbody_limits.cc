@@ -1,6 +1,7 @@
 #include "reference/simulators/simbody/simbody_limits.h"
 
 #include "reference/applied/forces.h"
+#include "reference/applied/forest.h"
 #include "reference/applied/masses.h"
 
 #include <fmt/format.h>
@@ -33,6 +34,11 @@ Reason against_contacts(const Scene& scene) {
   return reason;
 }
 
+bool closes(core::JointType type) {
+  return type == core::JointType::ball || type == core::JointType::hinge || type == core::JointType::fixed ||
+         type == core::JointType::distance;
+}
+
 Reason against_joints(const Scene& scene) {
   for (const core::Joint& joint : scene.joints)
     if (core::kind_of(joint.type).has_length() && !(joint.length > 0))
@@ -40,6 +46,11 @@ Reason against_joints(const Scene& scene) {
           "Simbody's rod has a length above zero (simbody/internal/Constraint_Rod.h:46); that of '{}' is {} "
           "m.",
           name_of(scene, joint.body), joint.length);
+  for (const std::size_t j : applied::forest_of(scene).loops)
+    if (const core::Joint& joint = scene.joints[j]; !closes(joint.type))
+      return fmt::format(
+          "The {} of '{}' closes a loop, which this adapter does with balls, hinges, welds and rods alone.",
+          core::kind_of(joint.type).name, name_of(scene, joint.body));
   return {};
 }
 

@@ -170,7 +170,9 @@ core::Engine simbody_engine(std::string version) {
                       simbody_options().offered()};
   for (const SimbodyIntegrator& one : integrators)
     engine.integrators.push_back({one.name, one.order, one.remark, one.adaptive});
-  engine.knows = {"collision_filters", "frame_acceleration", "joint_forces", "joint_targets"};
+  engine.knows = {"collision_filters",  "frame_acceleration", "body_gravity",     "slider_joints",
+                  "cylindrical_joints", "planar_joints",      "universal_joints", "screw_joints",
+                  "joint_forces",       "joint_targets"};
   return engine;
 }
 

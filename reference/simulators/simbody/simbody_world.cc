@@ -2,7 +2,9 @@
 
 #include "reference/applied/forces.h"
 
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace cylon::simulators {
 namespace {
@@ -54,17 +56,97 @@ class Law : public SimTK::Force::Custom::Implementation {
 
 SimbodyWorld::SimbodyWorld(const Scene& scene, const applied::Forest& forest, SimbodyLaw law)
     : indices_(scene.bodies.size(), SimTK::GroundIndex) {
-  const core::Vector3 gravity = core::gravity(scene);
-  if (!gravity.isZero(0)) SimTK::Force::Gravity(forces_, matter_, to_simbody(gravity));
-  if (law) SimTK::Force::Custom(forces_, new Law(std::move(law)));  // which the subsystem deletes
   for (const int root : forest.roots) hang(scene, forest, root);
+  if (const core::Vector3 gravity = core::gravity(scene); !gravity.isZero(0)) {
+    SimTK::Force::Gravity falls(forces_, matter_, to_simbody(gravity));
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+      if (scene.bodies[i].gravity && !scene.bodies[i].locked)
+        falls.setDefaultBodyIsExcluded(indices_[i], true);
+  }
+  if (law) SimTK::Force::Custom(forces_, new Law(std::move(law)));  // which the subsystem deletes
   for (const std::size_t j : forest.loops) close(scene, scene.joints[j]);
   system_.realizeTopology();
 }
 
 // ---- The tree -----------------------------------------------------------------------------------------
 
-// The frames of a joint agree where the scene starts; a hinge turns about their z, those of others are the world's.
+// The frame of a joint where the scene starts, in the world.  A body turns about z, slides along z or, of a slider, x, and
+// in a plane along x and y; that of a ball or weld is the world's.  Of a universal joint x is fixed in the parent, y in the
+// child: the other way round if the joint is `reversed`.
+Transform frame_of(const core::Joint& joint, bool reversed) {
+  const Vec3 place = to_simbody(joint.point);
+  const core::JointKind& kind = core::kind_of(joint.type);
+  if (!kind.has_axis()) return Transform(place);
+  const UnitVec3 axis(to_simbody(joint.axis));
+  if (joint.type == JointType::slider) return {Rotation(axis, SimTK::XAxis), place};
+  if (!joint.axis_2) return {Rotation(axis, SimTK::ZAxis), place};
+  const UnitVec3 second(to_simbody(*joint.axis_2));
+  if (joint.type == JointType::planar) return {Rotation(axis, SimTK::ZAxis, second, SimTK::XAxis), place};
+  return {reversed ? Rotation(second, SimTK::XAxis, axis, SimTK::YAxis)
+                   : Rotation(axis, SimTK::XAxis, second, SimTK::YAxis),
+          place};
+}
+
+// The rates of a joint's coordinates, in Simbody's order, from the motion of the child against the parent at the point of
+// the joint.
+std::vector<double> rates_of(const core::Joint& joint, const Rotation& frame, const core::Vector3& spin,
+                             const core::Vector3& velocity) {
+  const auto along = [&](int k, const core::Vector3& v) { return SimTK::dot(frame.col(k), to_simbody(v)); };
+  switch (joint.type) {
+    case JointType::ball:
+      return {spin.x(), spin.y(), spin.z()};
+    case JointType::hinge:
+    case JointType::screw:
+      return {along(2, spin)};
+    case JointType::slider:
+      return {along(0, velocity)};
+    case JointType::cylindrical:
+      return {along(2, spin), along(2, velocity)};
+    case JointType::planar:
+      return {along(2, spin), along(0, velocity), along(1, velocity)};
+    case JointType::universal:
+      return {along(0, spin), along(1, spin)};
+    case JointType::fixed:
+    case JointType::distance:
+      return {};
+  }
+  return {};
+}
+
+SimTK::MobilizedBodyIndex hang_by(const core::Joint& joint, MobilizedBody& parent, const Transform& on_parent,
+                                  const SimTK::Body::Rigid& mass, const Transform& on_body) {
+  const auto by = [&]<class Kind>(std::type_identity<Kind>, auto... more) {
+    return Kind(parent, on_parent, mass, on_body, more...).getMobilizedBodyIndex();
+  };
+  switch (joint.type) {
+    case JointType::ball:
+      return by(std::type_identity<MobilizedBody::Ball>());
+    case JointType::hinge:
+      return by(std::type_identity<MobilizedBody::Pin>());
+    case JointType::slider:
+      return by(std::type_identity<MobilizedBody::Slider>());
+    case JointType::cylindrical:
+      return by(std::type_identity<MobilizedBody::Cylinder>());
+    case JointType::planar:
+      return by(std::type_identity<MobilizedBody::Planar>());
+    case JointType::universal:
+      return by(std::type_identity<MobilizedBody::Universal>());
+    case JointType::screw:
+      return by(std::type_identity<MobilizedBody::Screw>(), joint.pitch);
+    case JointType::fixed:
+    case JointType::distance:
+      break;
+  }
+  return by(std::type_identity<MobilizedBody::Weld>());
+}
+
+// Of the material point of a body that is at `point`.
+core::Vector3 velocity_at(const core::BodyState& body, const core::Vector3& point) {
+  return body.velocity + body.angular_velocity.cross(point - body.position);
+}
+
+bool is_reversed(const core::Joint& joint, int child) { return joint.body != child; }
+
 void SimbodyWorld::hang(const Scene& scene, const applied::Forest& forest, int body) {
   const applied::Node& node = forest.nodes[at(body)];
   const SimTK::Body::Rigid mass = rigid(scene.bodies[at(body)]);
@@ -75,17 +157,9 @@ void SimbodyWorld::hang(const Scene& scene, const applied::Forest& forest, int b
   } else {
     const core::Joint& joint = scene.joints[at(node.joint)];
     const Transform here = pose(scene, body);
-    const Vec3 point = to_simbody(joint.point);
-    const Transform place = joint.type == JointType::hinge
-                                ? Transform(Rotation(UnitVec3(to_simbody(joint.axis)), SimTK::ZAxis), point)
-                                : Transform(point);
+    const Transform place = frame_of(joint, is_reversed(joint, body));
     const Transform on_parent = ~pose(scene, node.parent) * place, on_body = ~here * place;
-    if (joint.type == JointType::hinge)
-      indices_[at(body)] = MobilizedBody::Pin(parent, on_parent, mass, on_body).getMobilizedBodyIndex();
-    else if (joint.type == JointType::ball)
-      indices_[at(body)] = MobilizedBody::Ball(parent, on_parent, mass, on_body).getMobilizedBodyIndex();
-    else
-      indices_[at(body)] = MobilizedBody::Weld(parent, on_parent, mass, on_body).getMobilizedBodyIndex();
+    indices_[at(body)] = hang_by(joint, parent, on_parent, mass, on_body);
   }
   for (const int child : node.children) hang(scene, forest, child);
 }
@@ -133,8 +207,6 @@ SimTK::State SimbodyWorld::start(const Scene& scene, const applied::Forest& fore
     const MobilizedBody& body = mobilized(i);
     const applied::Node& node = forest.nodes[i];
     const core::BodyState& start = scene.bodies[i].initial;
-    core::Vector3 spin = start.angular_velocity;
-    if (node.parent != core::world) spin -= scene.bodies[at(node.parent)].initial.angular_velocity;
     if (node.joint < 0) {
       // Quaternion and place; angular velocity in world axes, and velocity.
       const core::Quaternion& q = start.orientation;
@@ -142,12 +214,18 @@ SimTK::State SimbodyWorld::start(const Scene& scene, const applied::Forest& fore
           q.w(), q.x(), q.y(), q.z(), start.position.x(), start.position.y(), start.position.z()};
       for (int k = 0; k < 7; ++k) body.setOneQ(state, k, coordinates[k]);
       for (int k = 0; k < 3; ++k)
-        body.setOneU(state, k, spin[k]), body.setOneU(state, 3 + k, start.velocity[k]);
-    } else if (scene.joints[at(node.joint)].type == JointType::hinge) {
-      body.setOneU(state, 0, scene.joints[at(node.joint)].axis.dot(spin));
-    } else if (scene.joints[at(node.joint)].type == JointType::ball) {
-      for (int k = 0; k < 3; ++k) body.setOneU(state, k, spin[k]);
+        body.setOneU(state, k, start.angular_velocity[k]), body.setOneU(state, 3 + k, start.velocity[k]);
+      continue;
     }
+    const core::Joint& joint = scene.joints[at(node.joint)];
+    core::Vector3 spin = start.angular_velocity, velocity = velocity_at(start, joint.point);
+    if (node.parent != core::world) {
+      const core::BodyState& parent = scene.bodies[at(node.parent)].initial;
+      spin -= parent.angular_velocity, velocity -= velocity_at(parent, joint.point);
+    }
+    const Rotation frame = frame_of(joint, is_reversed(joint, static_cast<int>(i))).R();
+    const std::vector<double> rates = rates_of(joint, frame, spin, velocity);
+    for (std::size_t k = 0; k < rates.size(); ++k) body.setOneU(state, static_cast<int>(k), rates[k]);
   }
   return state;
 }

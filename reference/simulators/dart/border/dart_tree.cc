@@ -10,10 +10,15 @@
 #include <dart/dynamics/BallJoint.hpp>
 #include <dart/dynamics/BoxShape.hpp>
 #include <dart/dynamics/FreeJoint.hpp>
+#include <dart/dynamics/PlanarJoint.hpp>
+#include <dart/dynamics/PrismaticJoint.hpp>
 #include <dart/dynamics/RevoluteJoint.hpp>
+#include <dart/dynamics/ScrewJoint.hpp>
 #include <dart/dynamics/Skeleton.hpp>
 #include <dart/dynamics/SphereShape.hpp>
+#include <dart/dynamics/UniversalJoint.hpp>
 #include <dart/dynamics/WeldJoint.hpp>
+#include <dart/math/Constants.hpp>
 
 #include <limits>
 #include <stdexcept>
@@ -116,6 +121,44 @@ void World::Parts::hang(const std::vector<Body>& bodies, std::size_t i) {
       hinge.mAxis = to_dart(body.axis);
       const auto [joint, node] = make<dynamics::RevoluteJoint>(skeleton, parent, hinge, properties(body, i));
       joint->setVelocity(0, to_dart(body.axis).dot(to_dart(body.turn_rate)));
+      nodes[i] = node;
+      break;
+    }
+    case Hang::by_slider: {
+      auto slider = at_start<dynamics::PrismaticJoint>(parent_pose, pose, body.point);
+      slider.mAxis = to_dart(body.axis);
+      const auto [joint, node] =
+          make<dynamics::PrismaticJoint>(skeleton, parent, slider, properties(body, i));
+      joint->setVelocity(0, to_dart(body.axis).dot(to_dart(body.slide_rate)));
+      nodes[i] = node;
+      break;
+    }
+    case Hang::by_screw: {
+      auto screw = at_start<dynamics::ScrewJoint>(parent_pose, pose, body.point);
+      screw.mAxis = to_dart(body.axis);
+      screw.mPitch = 2 * dart::math::constantsd::pi() * body.pitch;  // of a whole turn
+      const auto [joint, node] = make<dynamics::ScrewJoint>(skeleton, parent, screw, properties(body, i));
+      joint->setVelocity(0, to_dart(body.axis).dot(to_dart(body.turn_rate)));
+      nodes[i] = node;
+      break;
+    }
+    case Hang::by_universal: {
+      auto universal = at_start<dynamics::UniversalJoint>(parent_pose, pose, body.point);
+      universal.mAxis = {to_dart(body.axis), to_dart(body.axis_2)};
+      const auto [joint, node] =
+          make<dynamics::UniversalJoint>(skeleton, parent, universal, properties(body, i));
+      joint->setVelocity(0, to_dart(body.axis).dot(to_dart(body.turn_rate)));
+      joint->setVelocity(1, to_dart(body.axis_2).dot(to_dart(body.turn_rate)));
+      nodes[i] = node;
+      break;
+    }
+    case Hang::in_plane: {
+      const Vector3d first = to_dart(body.axis_2), second = to_dart(body.axis).cross(first);
+      auto planar = at_start<dynamics::PlanarJoint>(parent_pose, pose, body.point);
+      planar.setArbitraryPlane(first, second);
+      const auto [joint, node] = make<dynamics::PlanarJoint>(skeleton, parent, planar, properties(body, i));
+      joint->setVelocities(Vector3d(first.dot(to_dart(body.slide_rate)), second.dot(to_dart(body.slide_rate)),
+                                    to_dart(body.axis).dot(to_dart(body.turn_rate))));
       nodes[i] = node;
       break;
     }

@@ -23,7 +23,7 @@ struct Motion {
   Vector velocity{}, spin{};  ///< World axes.
 };
 
-enum class Hang { freely, by_ball, by_hinge, fixed };
+enum class Hang { freely, by_ball, by_hinge, by_slider, by_screw, by_universal, in_plane, fixed };
 
 struct Body {
   double mass = 1;
@@ -32,10 +32,15 @@ struct Body {
   bool moves = true;
   bool falls = true;  ///< The gravity of the scene acts on it.
   Hang hang = Hang::freely;
-  int parent = -1;     ///< A body that moves; -1: the world.
-  Vector point{};      ///< Of the joint, world, at the start.
-  Vector axis{};       ///< Of a hinge, world, at the start.
-  Vector turn_rate{};  ///< Against the parent, world axes, at the start.
+  int parent = -1;  ///< A body that moves; -1: the world.
+  Vector point{};   ///< Of the joint, world, at the start.
+  Vector
+      axis{};  ///< Of a hinge, slider or screw, world, at the start; the normal of a plane; of a universal joint the
+               ///< one that is fixed in the parent.
+  Vector axis_2{};      ///< The other axis of a universal joint, or the first displacement in a plane.
+  double pitch = 0;     ///< Of a screw [m/rad].
+  Vector turn_rate{};   ///< Against the parent, world axes, at the start.
+  Vector slide_rate{};  ///< The same of the velocity of the body at the point.
 };
 
 /// A joint that closes a loop; bodies of which the first moves, the second moves or is -1, the world.
