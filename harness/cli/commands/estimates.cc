@@ -116,6 +116,7 @@ std::string told(const validation::HorizonSummary& s, int members) {
       return std::isfinite(t) ? fmt::format("{:.3g} s", t) : std::string("the end");
     };
     if (std::isnan(e.value)) return std::string("not known");
+    if (e.interval.low == -HUGE_VAL) return one(e.value);  // of too few runs
     return fmt::format("{} [{}, {}]", one(e.value), one(e.interval.low), one(e.interval.high));
   };
   std::string out;
