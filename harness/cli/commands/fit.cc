@@ -121,6 +121,7 @@ FitRow fitted(const Context& context, const Options& options, const measured::Ex
   const study::Runner runner = study::session_runner(engine, {.run_seconds = options.timeout});
   FitRow row;
   bool is_fitted = false;
+  for (const std::size_t i : fold.on) row.fitted_data.push_back(e.runs[i].hash);
   row.engine = engine.id, row.fitted_on = names_of(e, fold.on), row.judged_on = names_of(e, fold.by);
   try {
     Likelihood likelihood(e, parameters, fold.on, runner, jobs);

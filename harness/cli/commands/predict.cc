@@ -62,12 +62,11 @@ struct Task {
 // Of a run with a fit that did not see it, where there are fits.
 template <class Score, class One>
 Score with_fit_of(const Task& task, const process::EngineChoice& engine, std::size_t run, const One& one) {
-  const std::string& name = task.experiment.runs[run].name;
   if (task.fits.empty()) return one(validation::Fitted{});
-  const FoundFit* fit = unseen(task.fits, engine.id, name);
+  const FoundFit* fit = unseen(task.fits, engine.id, task.experiment.runs[run]);
   if (fit && fit->failure.empty()) return one(fit->fitted);
   Score none;
-  none.run = name, none.failure = fit ? "no fit: " + fit->failure : "every fit of this engine saw the run";
+  none.run = task.experiment.runs[run].name, none.failure = fit ? "no fit: " + fit->failure : "every fit of this engine saw the run";
   return none;
 }
 
@@ -217,9 +216,8 @@ Task task_of(const Context& context, const Options& options) {
   }
   const int curves = options.curves == not_said ? usual_curves : options.curves;
   for (const std::size_t run : validation::order_of(e)) {
-    const std::string& name = e.runs[run].name;
     if (!task.fits.empty() && std::ranges::none_of(task.engines, [&](const process::EngineChoice& engine) {
-          return unseen(task.fits, engine.id, name);
+          return unseen(task.fits, engine.id, e.runs[run]);
         }))
       continue;
     task.runs.push_back(run);
