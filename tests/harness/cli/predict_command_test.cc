@@ -166,6 +166,58 @@ TEST_F(PredictCommand, TakesAFitToOtherData) {
   EXPECT_EQ(predicted(), 6u);
 }
 
+// Of data that the engine itself made, its band holds what it should; another seed makes other data.
+TEST_F(PredictCommand, PredictsWhatAnEngineMade) {
+  const auto made = [&](const std::string& more) {
+    const Ran ran = cylon("predict swings.toml --engine ode --synthetic ode --json p.json " + more);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_NE(ran.out.find("synthetic: made by ode with the stated errors, seed"), std::string::npos)
+        << ran.out;
+    return document("p.json")["engines"][0]["covered"]["value"].get<double>();
+  };
+  const double one = made("--seed 1"), two = made("--seed 2");
+  EXPECT_GT(one, 0.85);
+  EXPECT_GT(two, 0.85);
+  EXPECT_NE(one, two);
+  EXPECT_EQ(document("p.json")["synthetic"], "ode");
+  EXPECT_EQ(cylon("predict swings.toml --engine ode --synthetic odd").code, 2);
+}
+
+TEST_F(PredictCommand, TellsWhichColumnsDoNotGoTogether) {
+  const std::string wrong = "they do not go together; check columns, units, axes and rate";
+  const Ran right = cylon("predict swings.toml --engine ode --members 0 --json p.json");
+  EXPECT_EQ(right.out.find(wrong), std::string::npos) << right.out;
+  EXPECT_EQ(document("p.json")["kinematics"]["spin"]["goes_together"], "yes");
+  write("swings.toml", replaced(description, "rate = 100", "rate = 50"));
+  const Ran ran = cylon("predict swings.toml --engine ode --members 0 --json p.json");
+  EXPECT_NE(ran.out.find(wrong), std::string::npos) << ran.out;
+  EXPECT_EQ(document("p.json")["kinematics"]["spin"]["goes_together"], "no");
+}
+
+TEST_F(PredictCommand, StatesTheDiscrepancyOfItsBand) {
+  EXPECT_EQ(cylon("predict swings.toml --engine ode --discrepancy").code, 2);  // [fit] states no degrees
+  write("swings.toml", replaced(description, "horizon = 0.4", "horizon = 0.4\ndegrees = 4"));
+  const Ran with = cylon("predict swings.toml --engine ode --discrepancy --json p.json");
+  ASSERT_EQ(with.code, 0) << with.err;
+  EXPECT_NE(with.out.find("discrepancy of 4 degrees"), std::string::npos) << with.out;
+  const auto covered = [&] { return document("p.json")["engines"][0]["covered"]["value"].get<double>(); };
+  const double wide = covered();
+  ASSERT_EQ(cylon("predict swings.toml --engine ode --json p.json").code, 0);
+  EXPECT_GT(wide, covered());
+}
+
+TEST_F(PredictCommand, TakesTheFirstRuns) {
+  ASSERT_EQ(cylon("predict swings.toml --engine ode --members 0 --runs 2 --json p.json").code, 0);
+  const json few = document("p.json")["engines"][0]["each"];
+  ASSERT_EQ(cylon("fit swings.toml --engine ode --parameters inertia --runs 2 --json f.json").code, 0);
+  const json fit = document("f.json")["fits"][0];
+  ASSERT_EQ(few.size(), 2u);
+  std::set<std::string> names{few[0]["run"], few[1]["run"]};
+  EXPECT_EQ(names, (std::set<std::string>{fit["fitted_on"][0], fit["judged_on"][0]}));
+  EXPECT_NE(cylon("predict swings.toml --engine ode --runs 7").err.find("--runs 7: swings.toml has 6 runs"),
+            std::string::npos);
+}
+
 TEST_F(PredictCommand, DocumentsGoToStdoutAlone) {
   const Ran ran = cylon("predict swings.toml --engine ode --members 0 --json -");
   ASSERT_EQ(ran.code, 0);
