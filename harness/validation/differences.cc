@@ -9,11 +9,11 @@ namespace cylon::validation {
 namespace {
 
 constexpr double shortest = 1e-4, longest = 0.1;  // of a parameter's range
-constexpr double longer = 4, even = 0.2;          // even: ln of a ratio of informations that is no fall
+constexpr double longer = 4, even = 0.1;          // even: ln of a ratio of informations that is no fall
 
 // A parameter's way to longer differences.
 struct Climb {
-  double length = 0, information = 0;  // of the last score
+  double first = 0, length = 0, information = 0;  // of the last score
   double best = 0, fall = std::numeric_limits<double>::infinity();
   bool done = false;
 };
@@ -38,7 +38,7 @@ Differences differences(Likelihood& likelihood, std::span<const double> values,
   const Score first = likelihood.score(values, from);
   std::vector<Climb> all(parameters.size());
   for (std::size_t j = 0; j < all.size(); ++j)
-    all[j].length = all[j].best =
+    all[j].first = all[j].length = all[j].best =
         std::clamp(1 / std::sqrt(at(first, j)), shortest * range(j), longest * range(j));
   Score score = likelihood.score(values, lengths_of(all));
   for (std::size_t j = 0; j < all.size(); ++j) {
@@ -66,9 +66,10 @@ Differences differences(Likelihood& likelihood, std::span<const double> values,
     }
     scored = lengths;
   }
-  for (Climb& one : all) one.length = one.best;
+  bool jumps = false;
+  for (Climb& one : all) jumps = jumps || one.best > one.first, one.length = one.best;
   const std::vector<double> best = lengths_of(all);
-  return {best, likelihood.score(values, best)};
+  return {best, jumps, likelihood.score(values, best)};
 }
 
 }  // namespace cylon::validation

@@ -96,12 +96,10 @@ Fit fit(Likelihood& likelihood, const Memory& memory) {
     std::vector<double> newton;
     for (std::size_t j = 0; j < k; ++j)
       newton.push_back(clamped(made.values[j] + made.known.newton[j], parameters[j]));
-    // Within the length of a difference the likelihood need not be smooth, and the least of its jumps says nothing.
-    bool near = true;
-    for (std::size_t j = 0; j < k; ++j) near = near && std::abs(newton[j] - made.values[j]) <= lengths[j];
     const double there = objective(newton), here = objective(made.values);
-    if (near || there < here) made.values = newton;
-    made.deviance = near ? there : std::min(there, here);
+    const bool taken = found.jumps || there < here;  // the least of jumps says nothing
+    if (taken) made.values = newton;
+    made.deviance = taken ? there : here;
     made.settled = made.rounds > 1;
     for (std::size_t j = 0; j < k; ++j) {
       const double error = std::isfinite(made.known.error[j]) ? made.known.error[j] : range(parameters[j]);
