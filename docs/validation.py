@@ -80,7 +80,7 @@ def scaled(estimate, scale, digits="{:.1f}"):
 
 
 def rests(found):
-    rows = ["| engine | | distance [mm] | angle [deg] | same side [%] | first touch [ms] | -2 log L a run |", "|---" * 7 + "|"]
+    rows = ["| engine | | distance [mm] | angle [deg] | same side [%] | first touch [ms] | its place [mm] | -2 log L a run |", "|---" * 8 + "|"]
     for engine in found["judged"]:
         deviances = [d for d in engine["deviances"] if d is not None]
         for when in ("before", "after"):
@@ -88,7 +88,7 @@ def rests(found):
                 continue
             s = engine[when]
             rows.append(f"| {engine['engine']} | {when} | {scaled(s['distance'], 1000)} | {scaled(s['angle'], 57.29577951)} | "
-                        f"{scaled(s['same_side'], 100)} | {scaled(s['impact'], 1000, '{:.2f}')} | "
+                        f"{scaled(s['same_side'], 100)} | {scaled(s['impact'], 1000, '{:.2f}')} | {scaled(s['place'], 1000)} | "
                         f"{f'{sum(deviances) / len(deviances):.1f}' if when == 'after' else ''} |")
     return "\n".join(rows)
 
@@ -122,13 +122,14 @@ def likelier(found):
 
 
 def predicted_rests(found):
-    rows = ["| engine | distance [mm] | angle [deg] | same side [%] | first touch [ms] | energy lost [%] |", "|---" * 6 + "|"]
+    rows = ["| engine | distance [mm] | angle [deg] | same side [%] | first touch [ms] | its place [mm] | energy lost [%] |", "|---" * 7 + "|"]
     for s in found["engines"]:
         if s["failed"] == s["runs"]:
-            rows.append(f"| {s['engine']} | no prediction: {s['first_failure']} | | | | |")
+            rows.append(f"| {s['engine']} | no prediction: {s['first_failure']} | | | | | |")
             continue
         rows.append(f"| {s['engine']} | {scaled(s['distance'], 1000)} | {scaled(s['angle'], 57.29577951)} | "
-                    f"{scaled(s['same_side'], 100)} | {scaled(s['impact'], 1000, '{:.2f}')} | {scaled(s['loss'], 100)} |")
+                    f"{scaled(s['same_side'], 100)} | {scaled(s['impact'], 1000, '{:.2f}')} | {scaled(s['place'], 1000)} | "
+                    f"{scaled(s['loss'], 100)} |")
     return "\n".join(rows)
 
 

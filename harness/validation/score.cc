@@ -136,6 +136,7 @@ Summary summary(const std::vector<RunScore>& runs) {
   };
   all.distance = estimate(distance, statistics::median), all.angle = estimate(angle, statistics::median);
   all.impact = estimate(impact, statistics::median), all.loss = estimate(loss, statistics::median);
+  all.place = estimate(place, statistics::median);
   all.covered = covered(shares);
   if (!distance.empty())
     all.same_side = {static_cast<double>(same) / static_cast<double>(distance.size()),

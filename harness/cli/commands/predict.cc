@@ -95,7 +95,9 @@ std::vector<Score> of_runs(const Context& context, const Options& options, const
 }
 
 std::string told_length(const char* what, const Estimate& scale, const std::string& means) {
-  if (scale.runs < 2) return fmt::format("  {:<22} not known ({} runs)\n", what, scale.runs);
+  if (!std::isfinite(scale.interval.low))
+    return fmt::format("  {:<22} {} ({} runs, too few for an interval)\n", what, shown(scale, 1, "", 4),
+                       scale.runs);
   const auto answer = validation::answer({1, 1}, scale.interval.low, scale.interval.high);
   return fmt::format("  {:<22} {:.4f} [{:.4f}, {:.4f}] of {} ({} runs){}\n", what, scale.value,
                      scale.interval.low, scale.interval.high, means, scale.runs,

@@ -120,6 +120,7 @@ TEST(Score, KnowsThePlaceOfTheFirstTouch) {
       -higher.impact * Vector3(start.velocity.x(), 0, start.velocity.z()) + Vector3(0, 0, 0.02);
   EXPECT_LT(higher.impact, -5e-4);
   EXPECT_NEAR(higher.place, way.norm(), 1e-3 * way.norm());
+  EXPECT_EQ(summary({higher}).place.value, higher.place);
 }
 
 // The cube loses what it falls with at the touch, and friction takes the rest: with more of it, more is gone 0.1 s later.
