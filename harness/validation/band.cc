@@ -9,6 +9,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -21,19 +22,20 @@ bool is_fitted(const Fitted& fitted, const char* kind) {
   return std::ranges::find(fitted.parameters, kind, &Parameter::kind) != fitted.parameters.end();
 }
 
-// Numbers in the order: start, surfaces, parameters.
+// Numbers in the order: start, surfaces, parameters, all of that deviation.
 std::vector<State> member(const Experiment& e, const Fitted& fitted, std::size_t frames,
-                          const study::Runner& runner, Normal& normal, Experiment& drawn) {
+                          const study::Runner& runner, Normal& normal, double deviation, Experiment& drawn) {
   Eigen::VectorXd start(e.start.cols());
-  for (double& one : start) one = normal(1);
+  for (double& one : start) one = normal(deviation);
   std::vector<core::Material> surfaces;
   for (std::size_t i = 0; i < e.model.scene.materials.size(); ++i) {
     core::Material& by = surfaces.emplace_back();
-    by.friction = normal(e.material.friction), by.restitution = normal(e.material.restitution);
+    by.friction = normal(deviation * e.material.friction);
+    by.restitution = normal(deviation * e.material.restitution);
   }
   Fitted own = fitted;
   Eigen::VectorXd errors(fitted.factor.cols());
-  for (double& one : errors) one = normal(1);
+  for (double& one : errors) one = normal(deviation);
   const Eigen::VectorXd by = fitted.factor * errors;
   for (Eigen::Index j = 0; j < by.size(); ++j) {
     const auto at = static_cast<std::size_t>(j);
@@ -85,10 +87,13 @@ Range range(const Experiment& e, std::size_t run, const study::Runner& runner, c
   if (is_fitted(fitted, "restitution")) own.material.restitution = 0;
   const std::size_t frames = own.runs[0].states.size();
   std::vector<Eigen::MatrixXd> members;
+  std::vector<double> factors;
   Experiment drawn;
   for (int m = 0; m < band.members; ++m) {
     Normal normal(band.seed, run, static_cast<std::uint64_t>(m));
-    const std::vector<State> path = member(own, fitted, frames, runner, normal, drawn);
+    const double nu = band.discrepancy ? e.fit.degrees : HUGE_VAL;
+    factors.push_back(std::isfinite(nu) ? std::sqrt(nu / normal.chi_squared(nu)) : 1);
+    const std::vector<State> path = member(own, fitted, frames, runner, normal, factors.back(), drawn);
     if (path.size() != frames || !finite(path)) throw not_finite();
     members.push_back(curves(drawn, path, drawn.runs[0].states.front()));
   }
@@ -99,10 +104,10 @@ Range range(const Experiment& e, std::size_t run, const study::Runner& runner, c
                                        std::numeric_limits<double>::infinity());
   made.high = -made.low;
   for (Eigen::Index i = 0; i < made.low.rows(); ++i)
-    for (const Eigen::MatrixXd& one : members) {
-      Eigen::RowVectorXd seen = one.row(i);
+    for (std::size_t m = 0; m < members.size(); ++m) {
+      Eigen::RowVectorXd seen = members[m].row(i);
       if (i > 0)
-        for (Eigen::Index k = 0; k < seen.size(); ++k) seen[k] += noise(deviation[k]);
+        for (Eigen::Index k = 0; k < seen.size(); ++k) seen[k] += noise(factors[m] * deviation[k]);
       made.low.row(i) = made.low.row(i).cwiseMin(seen), made.high.row(i) = made.high.row(i).cwiseMax(seen);
     }
   return made;

@@ -18,6 +18,9 @@ struct Band {
   /// with probability (n - 2)/n, whatever their distribution, as each order is as likely: 39 give 95 %.  0: no band.
   int members = 39;
   std::uint64_t seed = 1;
+  /// Whether all errors of a member have a factor sqrt(nu/chi-squared_nu) of its own: the discrepancy of the model that fits take, with
+  /// the experiment's nu degrees of freedom.
+  bool discrepancy = false;
 };
 
 /// What n members' range holds of one more of their kind: (n - 1)/(n + 1).

@@ -1,6 +1,7 @@
 #include "harness/validation/fit.h"
 
 #include "harness/tracking/statistics/quantile.h"
+#include "harness/validation/differences.h"
 
 #include <nlopt.hpp>
 
@@ -89,29 +90,27 @@ Fit fit(Likelihood& likelihood, const Memory& memory) {
     likelihood.renew(made.values);
     const std::vector<double> last = made.values;
     made.values = least(objective, made.values, steps);
-    // Differences as long as the error of a parameter if the others were known; those of the first round are not known before.  Longer
-    // ones are bent by the law of motion, and would tell apart what only acts together.
-    for (int again = made.rounds == 1 ? 2 : 1; again > 0; --again) {
-      made.known = known(likelihood.score(made.values, lengths), parameters);
-      for (std::size_t j = 0; j < k; ++j)
-        lengths[j] = std::clamp(made.known.alone[j], 1e-4 * range(parameters[j]), 0.1 * range(parameters[j]));
-    }
+    const Differences found = differences(likelihood, made.values, lengths);
+    lengths = found.lengths;
+    made.known = known(found.score, parameters);
     std::vector<double> newton;
     for (std::size_t j = 0; j < k; ++j)
       newton.push_back(clamped(made.values[j] + made.known.newton[j], parameters[j]));
     const double there = objective(newton), here = objective(made.values);
-    if (there < here) made.values = newton;
-    made.deviance = std::min(there, here);
+    const bool taken = found.jumps || there < here;  // the least of jumps says nothing
+    if (taken) made.values = newton;
+    made.deviance = taken ? there : here;
     made.settled = made.rounds > 1;
     for (std::size_t j = 0; j < k; ++j) {
       const double error = std::isfinite(made.known.error[j]) ? made.known.error[j] : range(parameters[j]);
-      made.settled = made.settled && std::abs(made.values[j] - last[j]) <= 0.1 * error;
-      steps[j] = std::clamp(2 * error, 1e-4 * range(parameters[j]), 0.2 * range(parameters[j]));
+      const double scale = std::max(error, lengths[j]);  // below this the likelihood is not smooth
+      made.settled = made.settled && std::abs(made.values[j] - last[j]) <= 0.1 * scale;
+      steps[j] = std::clamp(2 * scale, 1e-4 * range(parameters[j]), 0.2 * range(parameters[j]));
     }
   }
   for (std::size_t j = 0; j < k; ++j)
-    made.at_bound.push_back(std::min(made.values[j] - parameters[j].low,
-                                     parameters[j].high - made.values[j]) <= 1e-6 * range(parameters[j]));
+    made.at_bound.push_back(
+        std::min(made.values[j] - parameters[j].low, parameters[j].high - made.values[j]) <= lengths[j]);
   made.misfit = likelihood.misfit(made.values);
   made.runs = likelihood.runs().size(), made.windows = likelihood.windows(),
   made.numbers = likelihood.numbers();

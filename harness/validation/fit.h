@@ -30,7 +30,7 @@ struct Memory {
 struct Fit {
   std::vector<double> values;
   Known known;
-  std::vector<bool> at_bound;  ///< The likelihood still grows there; an interval around it means little.
+  std::vector<bool> at_bound;  ///< No further from it than a difference is long: an interval means little.
   double deviance = 0;         ///< -2 log L.
   double misfit = 0;  ///< r^T C^-1 r, to be held against chi-squared with `numbers` less the parameters.
   std::size_t runs = 0, windows = 0, numbers = 0, evaluations = 0, predictions = 0;

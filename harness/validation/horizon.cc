@@ -41,6 +41,15 @@ std::vector<Eigen::VectorXd> change(const Experiment& e, const core::State& star
   return all;
 }
 
+// The median; of an even number of runs, half of which hold to the end, the longest of the others, as the mean of both is no time.
+double median_time(std::span<const double> times) {
+  const double middle = statistics::median(times);
+  if (!std::isinf(middle)) return middle;
+  std::vector<double> sorted(times.begin(), times.end());
+  std::ranges::sort(sorted);
+  return sorted[(sorted.size() - 1) / 2];
+}
+
 }  // namespace
 
 Horizon horizon(const Experiment& e, std::size_t run, const study::Runner& runner, double bound) {
@@ -122,8 +131,7 @@ HorizonSummary summary(const std::vector<Horizon>& runs) {
     shares.push_back(run.covered);
   }
   const auto estimate = [](const std::vector<double>& values) {
-    return Estimate{statistics::median(values), statistics::bootstrap(values, statistics::median, 0.025, 1),
-                    values.size()};
+    return Estimate{median_time(values), statistics::bootstrap(values, median_time, 0.025, 1), values.size()};
   };
   all.held = estimate(held), all.expected = estimate(expected), all.exponent = estimate(exponent);
   all.covered = covered(shares), all.band = band_answer(all.covered);

@@ -19,18 +19,33 @@ namespace {
 
 using core::BodyState, core::State, core::Vector3, measured::Experiment;
 
+struct Touch {
+  double time = 0;
+  Vector3 centre;
+};
+
 // Where the gap first comes below 5 mm, a straight line between frames: what gives in an impact, and what lengths are off,
 // is less.
-std::optional<double> first_touch(const Experiment& e, const std::vector<State>& states) {
+std::optional<Touch> first_touch(const Experiment& e, const std::vector<State>& states) {
   constexpr double touching = 0.005;  // [m]
   double before = gap(e, states.front()[0]) - touching;
   if (before <= 0) return std::nullopt;
   for (std::size_t i = 1; i < states.size(); ++i) {
     const double now = gap(e, states[i][0]) - touching;
-    if (now <= 0) return (static_cast<double>(i) - now / (now - before)) / e.rate;
+    if (now <= 0) {
+      const double later = now / (now - before);  // share of a frame
+      return Touch{(static_cast<double>(i) - later) / e.rate,
+                   states[i][0].position + later * (states[i - 1][0].position - states[i][0].position)};
+    }
     before = now;
   }
   return std::nullopt;
+}
+
+// Distance along the scene's plane.
+double along_plane(const Experiment& e, const Vector3& by) {
+  const Vector3& normal = e.model.scene.planes[0].normal;
+  return (by - normal.dot(by) * normal).norm();
 }
 
 // Kinetic energy, and potential energy above the height at which the centre lies on the plane [J].
@@ -46,7 +61,7 @@ double energy(const Experiment& e, const BodyState& s) {
 // Share of the energy that is gone 0.1 s after the first touch.
 std::optional<double> loss(const Experiment& e, const std::vector<State>& states) {
   const auto touch = first_touch(e, states);
-  const auto frame = static_cast<std::size_t>(std::ceil((touch.value_or(0) + 0.1) * e.rate));
+  const auto frame = static_cast<std::size_t>(std::ceil(((touch ? touch->time : 0) + 0.1) * e.rate));
   if (!touch || frame >= states.size()) return std::nullopt;
   return 1 - energy(e, states[frame][0]) / energy(e, states[0][0]);
 }
@@ -69,7 +84,10 @@ RunScore score(const Experiment& e, std::size_t run, const study::Runner& runner
     const Vector3 up = Vector3::UnitY();
     found.same_side = axis_towards(path.back()[0], up) == axis_towards(states.back()[0], up);
     const auto there = first_touch(at, path), here = first_touch(at, states);
-    if (there && here) found.impact = *there - *here;
+    if (there && here) {
+      found.impact = there->time - here->time;
+      found.place = along_plane(at, there->centre - here->centre);
+    }
     const auto lost_there = loss(at, path), lost_here = loss(at, states);
     if (lost_there && lost_here) found.loss = *lost_there - *lost_here;
     if (band.members > 0)
@@ -100,7 +118,7 @@ Answer band_answer(const Estimate& covered) { return answer(covered.interval, 0.
 
 Summary summary(const std::vector<RunScore>& runs) {
   Summary all{.runs = runs.size(), .first_failure = {}};
-  std::vector<double> distance, angle, impact, loss, shares;
+  std::vector<double> distance, angle, impact, place, loss, shares;
   std::size_t same = 0;
   for (const RunScore& run : runs) {
     if (!run.failure.empty()) {
@@ -109,6 +127,7 @@ Summary summary(const std::vector<RunScore>& runs) {
     }
     distance.push_back(run.distance), angle.push_back(run.angle), same += run.same_side;
     if (std::isfinite(run.impact)) impact.push_back(std::abs(run.impact));
+    if (std::isfinite(run.place)) place.push_back(run.place);
     if (std::isfinite(run.loss)) loss.push_back(run.loss);
     shares.push_back(run.covered);
   }
@@ -117,6 +136,7 @@ Summary summary(const std::vector<RunScore>& runs) {
   };
   all.distance = estimate(distance, statistics::median), all.angle = estimate(angle, statistics::median);
   all.impact = estimate(impact, statistics::median), all.loss = estimate(loss, statistics::median);
+  all.place = estimate(place, statistics::median);
   all.covered = covered(shares);
   if (!distance.empty())
     all.same_side = {static_cast<double>(same) / static_cast<double>(distance.size()),

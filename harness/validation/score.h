@@ -25,6 +25,7 @@ struct RunScore {
   bool same_side = false;    ///< The body axis, of six, that is nearest to up there is the measured one.
   double impact =
       not_known;  ///< Predicted less measured time of the first touch; not known where one has none [s].
+  double place = not_known;  ///< Between the centres at their first touches, along the plane [m].
   /// Share of the energy that is lost by 0.1 s after the first touch, predicted less measured; not known where one has none.
   double loss = not_known;
   double covered =
@@ -59,6 +60,7 @@ struct Summary {
   Estimate angle;                   ///< Median [rad].
   Estimate same_side;               ///< Share.
   Estimate impact;                  ///< Median of the absolute value [s].
+  Estimate place;                   ///< Median [m].
   Estimate loss;                    ///< Median, with its sign.
   Estimate covered;                 ///< Mean share inside the band.
   Answer band = Answer::undecided;  ///< Whether the share covered is 90 to 98 %.

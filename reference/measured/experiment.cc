@@ -14,9 +14,11 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <map>
 #include <numbers>
+#include <optional>
+#include <set>
 #include <stdexcept>
 #include <tuple>
 
@@ -24,6 +26,8 @@ namespace cylon::measured {
 namespace {
 
 using core::Quaternion, core::Vector3;
+
+constexpr std::size_t longest_name = 100;  // of a run [characters]
 
 std::vector<std::size_t> columns_of(const scenario::Table& names, const char* key, std::size_t count,
                                     const Table& table) {
@@ -36,6 +40,7 @@ std::vector<std::size_t> columns_of(const scenario::Table& names, const char* ke
     } catch (const core::InputError& error) {
       names.fail(key, error.what());
     }
+    if (std::ranges::count(words, word) > 1) names.fail(key, fmt::format("{} has '{}' twice", key, word));
   }
   return found;
 }
@@ -47,18 +52,22 @@ struct Conversion {
   std::vector<std::size_t> angles = {}, rates = {};                                                // chain
   double length = 1, angle = 1;            // to metres, to radians
   Quaternion up = Quaternion::Identity();  // from the axes of the data to y up
+  bool left_handed = false;
   bool body_axes = false;
   double zero = 0;
 
   core::State state(const std::vector<double>& row) const {
     if (experiment->coordinates == Coordinates::chain) return chain(row);
+    // A mirror of x makes right-handed axes of left-handed ones; of what turns it keeps x and mirrors y and z.
+    const double mirror = left_handed ? -1 : 1;
     const auto vector = [&](const std::vector<std::size_t>& at) {
-      return Vector3(row[at[0]], row[at[1]], row[at[2]]);
+      return Vector3(mirror * row[at[0]], row[at[1]], row[at[2]]);
     };
-    const Quaternion turn =
-        Quaternion(row[orientation[0]], row[orientation[1]], row[orientation[2]], row[orientation[3]])
-            .normalized();
-    const Vector3 spin = angle * vector(angular_velocity);
+    const auto turning = [&](const std::size_t* at) {
+      return Vector3(row[at[0]], mirror * row[at[1]], mirror * row[at[2]]);
+    };
+    const Vector3 axis = turning(&orientation[1]), spin = angle * turning(angular_velocity.data());
+    const Quaternion turn = Quaternion(row[orientation[0]], axis.x(), axis.y(), axis.z()).normalized();
     return {{.position = up * (length * vector(position)),
              .orientation = up * turn,
              .velocity = up * (length * vector(velocity)),
@@ -73,6 +82,14 @@ struct Conversion {
       return all;
     };
     return chain_state(experiment->model.scene, experiment->bodies, numbers(angles, zero), numbers(rates, 0));
+  }
+
+  // The columns that are numbers of a state.
+  std::vector<std::size_t> columns() const {
+    std::vector<std::size_t> all;
+    for (const auto* some : {&position, &orientation, &velocity, &angular_velocity, &angles, &rates})
+      all.insert(all.end(), some->begin(), some->end());
+    return all;
   }
 
   double norm(const std::vector<double>& row) const {
@@ -109,41 +126,73 @@ Conversion conversion(const Experiment& e, const scenario::Table& root, const sc
       std::array{1.0, std::numbers::pi / 180}.at(units->choice("angle", {"rad", "deg"}, std::size_t{0}));
   made.body_axes = units->text("angular_velocity", "world") == "body";
   made.zero = units->number("zero");
+  made.left_handed = units->text("hand", "right") == "left";
+  if (chain && made.left_handed) units->fail("hand", "a chain has angles, and no axes");
   if (units->text("up", "y") == "z")
     made.up = Quaternion(std::numbers::sqrt2 / 2, -std::numbers::sqrt2 / 2, 0, 0);  // (x, y, z) -> (x, z, -y)
   return made;
 }
 
-std::vector<Run> runs(const Table& table, const Conversion& row, std::size_t run,
-                      std::optional<std::size_t> frame, std::size_t every) {
+// Columns of a run beside its states, and how often it was seen.
+struct Clock {
+  std::size_t run = 0;
+  std::optional<std::size_t> frame, time;
+  double rate = 0;  // of rows [1/s]
+  std::size_t every = 1;
+};
+
+// As a number where it is one: "7.0" is run 7.
+std::string name_of(const Table& table, std::size_t row, std::size_t column) {
+  const std::string_view word = table.word(row, column);
+  double x = 0;
+  const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), x);
+  if (error == std::errc() && stop == word.data() + word.size())
+    return fmt::format("{}", table.number(row, column));
+  if (word.empty() || word.size() > longest_name)
+    throw table.refuse(row, fmt::format("the name of a run has 1 to {} characters", longest_name));
+  return std::string(word);
+}
+
+std::vector<Run> runs(const Table& table, const Conversion& conversion, const Clock& clock) {
   std::vector<Run> all;
-  std::map<double, bool> seen;
+  std::set<std::string> seen;
+  const std::vector<std::size_t> columns = conversion.columns();
+  std::vector<double> values(table.columns());
   std::size_t in_run = 0;
-  double before = std::nan(""), count = 0;
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const std::vector<double>& values = table.rows[i];
-    const auto refuse = [&](const std::string& why) {
-      return core::InputError(fmt::format("{}:{}: {}", table.file, i + 2, why));
+  double first_frame = 0, first_time = 0;
+  core::ContentHash content;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const std::string name = name_of(table, i, clock.run);
+    const auto number = [&](std::optional<std::size_t> column) {
+      return column ? table.number(i, *column) : 0;
     };
-    if (values[run] != before) {
-      if (!seen.emplace(values[run], true).second)
-        throw refuse(fmt::format("run {} goes on after another one began", values[run]));
-      all.push_back({fmt::format("{}", values[run]), {}});
-      if (frame) count = values[*frame];
-      in_run = 0;
+    const double frame = number(clock.frame), time = number(clock.time);
+    if (all.empty() || name != all.back().name) {
+      if (!seen.insert(name).second)
+        throw table.refuse(i, fmt::format("run {} goes on after another one began", name));
+      all.push_back({.name = name});
+      content = {}, in_run = 0, first_frame = frame, first_time = time;
     }
-    before = values[run];
-    if (frame && values[*frame] != count)
-      throw refuse(
-          fmt::format("frame {} of run {} follows where {} is missing", values[*frame], values[run], count));
-    ++count;
-    if (!(std::abs(row.norm(values) - 1) <= 1e-3))
-      throw refuse(fmt::format("the quaternion has the length {:.6g}, not 1", row.norm(values)));
-    if (in_run++ % every == 0) all.back().states.push_back(row.state(values));
+    const auto k = static_cast<double>(in_run);
+    if (clock.frame && frame != first_frame + k)
+      throw table.refuse(
+          i, fmt::format("frame {} of run {} follows where {} is missing", frame, name, first_frame + k));
+    if (clock.time && !(std::abs(time - first_time - k / clock.rate) <= 0.1 / clock.rate))
+      throw table.refuse(i, fmt::format("run {} is at {} s, where {} frames a second make it {:.9g} s", name,
+                                        time, clock.rate, first_time + k / clock.rate));
+    for (const std::size_t column : columns) {
+      values[column] = table.number(i, column);
+      content.add(fmt::format("{},", values[column]));
+    }
+    if (!(std::abs(conversion.norm(values) - 1) <= 1e-3))
+      throw table.refuse(i,
+                         fmt::format("the quaternion has the length {:.6g}, not 1", conversion.norm(values)));
+    if (in_run++ % clock.every == 0) all.back().states.push_back(conversion.state(values));
+    all.back().hash = content.hex();
   }
   for (const Run& one : all)
     if (one.states.size() < 2)
-      throw core::InputError(fmt::format("{}: run {} has fewer than two frames", table.file, one.name));
+      throw core::InputError(fmt::format("{}: run {} has fewer than two frames", table.file(), one.name));
   return all;
 }
 
@@ -278,9 +327,9 @@ Experiment read(const std::filesystem::path& path) {
     if (!(made.fit.horizon * made.rate >= 2)) fit->fail("horizon", "a window has three frames or more");
   }
   for (const scenario::Table& row : root.tables("parameter")) made.parameters.push_back(parameter(row, made));
-  const Table table = read_table(path.parent_path() / root.text("data"));
+  const Table table(path.parent_path() / root.text("data"));
   core::ContentHash content;
-  for (const std::string& part : {text, table.hash, made.model.hash}) content.add(part);
+  for (const std::string& part : {text, table.hash(), made.model.hash}) content.add(part);
   made.hash = content.hex();
   const auto one = [&](const char* key) {
     try {
@@ -289,10 +338,11 @@ Experiment read(const std::filesystem::path& path) {
       names.fail(key, error.what());
     }
   };
-  std::optional<std::size_t> frame;
-  if (names.has("frame")) frame = one("frame");
-  made.runs = runs(table, conversion(made, root, names, table), one("run"), frame,
-                   static_cast<std::size_t>(root.whole("every", 1)));
+  Clock clock{.run = one("run"), .rate = root.number("rate")};
+  clock.every = static_cast<std::size_t>(root.whole("every", 1));
+  if (names.has("frame")) clock.frame = one("frame");
+  if (names.has("time")) clock.time = one("time");
+  made.runs = runs(table, conversion(made, root, names, table), clock);
   return made;
 }
 

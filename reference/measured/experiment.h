@@ -25,6 +25,7 @@ struct MaterialError {
 struct Run {
   std::string name;  ///< As in the table.
   std::vector<core::State> states;
+  std::string hash = {};  ///< Of what was measured, in its own units; empty: nothing was.
 };
 
 /// What was measured of a state, and so how a start may err.
@@ -73,8 +74,8 @@ struct Experiment : Setup {
 /// Reads the description (TOML), the table that it names (CSV, plain or gzip) and the scene.  Lengths and angles are converted
 /// to SI units, axes to y up, angular velocities to world axes.
 /// Throws core::InputError with file, line and column or key for all that cannot be: an unknown key, a column that is not
-/// there, a number that is not finite, a quaternion that is not of unit length within 1e-3, a run of fewer than two frames or
-/// with a frame missing, a rate that the scene's step does not divide, correlations that are none.
+/// there or that is named twice, a number that is not finite, a quaternion that is not of unit length within 1e-3, a run of fewer than two frames or
+/// with a frame missing or at another time than its rate says, a rate that the scene's step does not divide, correlations that are none.
 Experiment read(const std::filesystem::path&);
 
 }  // namespace cylon::measured

@@ -14,6 +14,7 @@ const Spec* column_spec() {
       .keys = {
           required(scenario::word("run", "Column whose value tells the runs apart.")),
           scenario::word("frame", "Column that counts the frames of a run, one by one; absent: not checked."),
+          scenario::word("time", "Column of the time of a frame [s]; absent: not held against the rate."),
           scenario::plain("position", Kind::texts, "Of a free body, three columns: of the centre of mass."),
           scenario::plain("orientation", Kind::texts, "Four columns: w, x, y, z of body to world."),
           scenario::plain("velocity", Kind::texts, "Three columns: of the centre of mass."),
@@ -33,6 +34,8 @@ const Spec* unit_spec() {
                  scenario::word("length", "Of positions; velocities are this a second.", {"m", "cm", "mm"})),
           absent("\"rad\"", scenario::word("angle", "Angular velocities are this a second.", {"rad", "deg"})),
           absent("\"y\"", scenario::word("up", "The axis of the data that points up.", {"y", "z"})),
+          absent("\"right\"",
+                 scenario::word("hand", "Whether the axes are right- or left-handed.", {"right", "left"})),
           absent("\"world\"", scenario::word("angular_velocity", "Its axes.", {"world", "body"})),
           absent("0", scenario::real("zero", "",
                                      "Of a chain: the angle of the data where the scene has the bodies."))}};

@@ -1,7 +1,6 @@
 #include "reference/measured/table.h"
 
 #include "harness/core/content_hash.h"
-#include "harness/core/input_error.h"
 
 #include <fmt/format.h>
 #include <zlib.h>
@@ -46,69 +45,115 @@ std::string unpacked(const std::filesystem::path& path) {
   return text;
 }
 
-std::vector<std::string_view> cells(std::string_view line) {
-  std::vector<std::string_view> all;
-  for (std::size_t at = 0; at <= line.size();) {
-    const std::size_t end = std::min(line.find(',', at), line.size());
-    std::string_view cell = line.substr(at, end - at);
-    while (!cell.empty() && cell.front() == ' ') cell.remove_prefix(1);
-    while (!cell.empty() && cell.back() == ' ') cell.remove_suffix(1);
-    all.push_back(cell);
-    at = end + 1;
-  }
-  return all;
+struct Cell {
+  std::string_view word;  // without blanks and quotes around it
+  std::size_t end = 0;    // in the line
+};
+
+Cell cell_at(std::string_view line, std::size_t begin, char separator) {
+  std::size_t end = begin;
+  for (bool quoted = false; end < line.size() && (quoted || line[end] != separator); ++end)
+    quoted = quoted != (line[end] == '"');
+  std::string_view word = line.substr(begin, end - begin);
+  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+  while (!word.empty() && blank(word.front())) word.remove_prefix(1);
+  while (!word.empty() && blank(word.back())) word.remove_suffix(1);
+  if (word.size() >= 2 && word.front() == '"' && word.back() == '"') word = word.substr(1, word.size() - 2);
+  return {word, end};
+}
+
+std::string_view line_at(std::string_view text, std::size_t at) {
+  return text.substr(at, std::min(text.find('\n', at), text.size()) - at);
+}
+
+bool is_empty(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
+
+char separator_of(std::string_view head) {
+  for (const char c : {',', ';', '\t'})
+    if (head.find(c) != std::string_view::npos) return c;
+  return ',';
 }
 
 }  // namespace
 
-std::size_t Table::column(const std::string& name) const {
-  const auto found = std::ranges::find(head, name);
-  if (found == head.end())
-    throw core::InputError(fmt::format("{}:1: no column '{}'{}", file, name, core::did_you_mean(name, head)));
-  return static_cast<std::size_t>(found - head.begin());
-}
-
-Table read_table(const std::filesystem::path& path) {
-  const std::string text = unpacked(path);
+Table::Table(const std::filesystem::path& path) : file_(path.string()), text_(unpacked(path)) {
   core::ContentHash content;
-  content.add(text);
-  Table table{path.string(), content.hex(), {}, {}};
-  const auto refuse = [&](std::size_t line, const std::string& why) {
-    return core::InputError(fmt::format("{}:{}: {}", table.file, line, why));
+  content.add(text_);
+  hash_ = content.hex();
+  const auto refuse_line = [&](std::size_t line, const std::string& why) {
+    return core::InputError(fmt::format("{}:{}: {}", file_, line, why));
   };
-  std::size_t line = 0;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    std::string_view row = std::string_view(text).substr(at, end - at);
-    at = end + 1, ++line;
-    if (!row.empty() && row.back() == '\r') row.remove_suffix(1);
-    const auto wide = static_cast<std::size_t>(std::ranges::count(row, ',')) + 1;
-    if (wide > most_columns) throw refuse(line, fmt::format("{} columns, at most {}", wide, most_columns));
-    const auto found = cells(row);
-    if (line == 1) {
-      table.head.assign(found.begin(), found.end());
-      std::set<std::string_view> names;
-      for (std::size_t i = 0; i < found.size(); ++i)
-        if (found[i].empty() || !names.insert(found[i]).second)
-          throw refuse(1, fmt::format("column {} has no name of its own: '{}'", i + 1,
-                                      found[i].substr(0, longest_shown)));
+  std::size_t empty = 0;  // the first empty line, after which no row may stand
+  for (std::size_t at = text_.starts_with("\xef\xbb\xbf") ? 3 : 0, number = 1; at < text_.size(); ++number) {
+    const std::string_view line = line_at(text_, at);
+    const std::size_t begin = at;
+    at += line.size() + 1;
+    if (head_.empty() && line.starts_with('#')) continue;
+    if (is_empty(line)) {
+      empty = empty > 0 ? empty : number;
       continue;
     }
-    if (found.size() != table.head.size())
-      throw refuse(line, fmt::format("{} values, and {} columns", found.size(), table.head.size()));
-    std::vector<double>& values = table.rows.emplace_back();
-    values.reserve(found.size());
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      double x = std::nan("");
-      const auto [stop, error] = std::from_chars(found[i].data(), found[i].data() + found[i].size(), x);
-      if (error != std::errc() || stop != found[i].data() + found[i].size() || !std::isfinite(x))
-        throw refuse(line, fmt::format("{} = '{}' is no finite number", table.head[i],
-                                       found[i].substr(0, longest_shown)));
-      values.push_back(x);
+    if (empty > 0) throw refuse_line(empty, "an empty line before others");
+    if (head_.empty()) {
+      read_head(line, number);
+      continue;
     }
+    require_width(static_cast<std::size_t>(std::ranges::count(line, separator_)) + 1, number);
+    std::size_t wide = 0;
+    for (std::size_t i = 0; i <= line.size(); ++wide) {
+      starts_.push_back(static_cast<std::uint32_t>(begin + i));
+      i = cell_at(line, i, separator_).end + 1;
+    }
+    if (wide != head_.size())
+      throw refuse_line(number, fmt::format("{} values, and {} columns", wide, head_.size()));
   }
-  if (table.rows.empty()) throw refuse(1, "no rows of numbers");
-  return table;
+  if (starts_.empty()) throw refuse_line(1, "no rows of numbers");
+}
+
+void Table::require_width(std::size_t columns, std::size_t line) const {
+  if (columns > most_columns)
+    throw core::InputError(fmt::format("{}:{}: {} columns, at most {}", file_, line, columns, most_columns));
+}
+
+void Table::read_head(std::string_view line, std::size_t number) {
+  head_line_ = number, separator_ = separator_of(line);
+  require_width(static_cast<std::size_t>(std::ranges::count(line, separator_)) + 1, number);
+  std::set<std::string_view> names;
+  for (std::size_t i = 0; i <= line.size();) {
+    const Cell cell = cell_at(line, i, separator_);
+    head_.emplace_back(cell.word);
+    if (cell.word.empty() || !names.insert(cell.word).second)
+      throw core::InputError(fmt::format("{}:{}: column {} has no name of its own: '{}'", file_, number,
+                                         head_.size(), cell.word.substr(0, longest_shown)));
+    i = cell.end + 1;
+  }
+}
+
+std::size_t Table::column(const std::string& name) const {
+  const auto found = std::ranges::find(head_, name);
+  if (found == head_.end())
+    throw core::InputError(
+        fmt::format("{}:{}: no column '{}'{}", file_, head_line_, name, core::did_you_mean(name, head_)));
+  return static_cast<std::size_t>(found - head_.begin());
+}
+
+std::string_view Table::word(std::size_t row, std::size_t column) const {
+  const std::size_t start = starts_[row * head_.size() + column];
+  return cell_at(line_at(text_, start), 0, separator_).word;
+}
+
+double Table::number(std::size_t row, std::size_t column) const {
+  const std::string_view text = word(row, column);
+  double x = std::nan("");
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), x);
+  if (error != std::errc() || stop != text.data() + text.size() || !std::isfinite(x))
+    throw refuse(row,
+                 fmt::format("{} = '{}' is no finite number", head_[column], text.substr(0, longest_shown)));
+  return x;
+}
+
+core::InputError Table::refuse(std::size_t row, const std::string& why) const {
+  return core::InputError(fmt::format("{}:{}: {}", file_, head_line_ + 1 + row, why));
 }
 
 }  // namespace cylon::measured

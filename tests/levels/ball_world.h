@@ -19,6 +19,8 @@ struct Fault {
   bool pyramid = false;  ///< Friction is bounded on each axis alone.
   bool no_restitution = false;
   double inertia = 1;  ///< Factor of the moment of inertia.
+  bool in_steps =
+      false;  ///< Impacts are met at the ends of steps, as most engines do: what it predicts has jumps.
 };
 
 inline core::Recording ran(const Fault& fault, const core::Scene& scene, double dt, std::int64_t steps,
@@ -50,11 +52,21 @@ inline core::Recording ran(const Fault& fault, const core::Scene& scene, double 
       s.orientation = (Eigen::AngleAxisd(turn, s.angular_velocity.normalized()) * s.orientation).normalized();
   };
   bool lies = false;
+  const auto bounce = [&] {
+    const double speed = -s.velocity.y(), rebound = e * speed > slow ? e * speed : 0;
+    rub(m * (speed + rebound));
+    s.velocity.y() = rebound, s.position.y() = r;
+    lies = rebound == 0;
+  };
   core::Recording recording;
   recording.dt = dt;
   for (std::int64_t step = 0; step <= steps; ++step) {
     if (step % every == 0) recording.steps.push_back(step), recording.states.push_back({s});
     double left = dt;
+    if (fault.in_steps && !lies) {
+      fly(left, g), left = 0;
+      if (s.position.y() <= r && s.velocity.y() < 0) bounce();
+    }
     while (left > 0 && !lies) {
       const double up = s.velocity.y(), height = std::max(0.0, s.position.y() - r);
       const double meet = (up + std::sqrt(up * up + 2 * g * height)) / g;
@@ -63,10 +75,7 @@ inline core::Recording ran(const Fault& fault, const core::Scene& scene, double 
         break;
       }
       fly(meet, g), left -= meet;
-      const double speed = -s.velocity.y(), rebound = e * speed > slow ? e * speed : 0;
-      rub(m * (speed + rebound));
-      s.velocity.y() = rebound, s.position.y() = r;
-      lies = rebound == 0;
+      bounce();
     }
     if (lies && left > 0) rub(m * g * left), fly(left, 0);
   }

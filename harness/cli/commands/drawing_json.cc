@@ -3,6 +3,7 @@
 #include "harness/cli/commands/estimates.h"
 #include "harness/process/scene_json.h"
 #include "harness/validation/curves.h"
+#include "harness/validation/kinematics.h"
 #include "harness/validation/length_scale.h"
 
 #include <nlohmann/json.hpp>
@@ -80,6 +81,16 @@ ordered_json to_json(const Drawing& d) {
   one["scene"] = process::to_json(d.scene);
   one["predicted_motion"] = motion(d.poses), one["measured_motion"] = motion(d.seen);
   return one;
+}
+
+ordered_json kinematics_json(const measured::Experiment& e) {
+  const validation::Kinematics of = validation::kinematics(e);
+  const auto one = [](const validation::Estimate& slope) {
+    ordered_json all = to_json(slope);
+    all["goes_together"] = validation::name(validation::goes_together(slope));
+    return all;
+  };
+  return {{"velocity", one(of.velocity)}, {"spin", one(of.spin)}};
 }
 
 ordered_json lengths_json(const measured::Experiment& e) {

@@ -17,6 +17,9 @@ nlohmann::ordered_json measured_json(const measured::Experiment&, std::span<cons
 /// What an engine predicts of one of them.
 nlohmann::ordered_json to_json(const validation::Drawing&);
 
+/// Whether the columns of the data go together.
+nlohmann::ordered_json kinematics_json(const measured::Experiment&);
+
 /// What the data say of their lengths.
 nlohmann::ordered_json lengths_json(const measured::Experiment&);
 

@@ -3,6 +3,7 @@
 #include "harness/core/input_error.h"
 #include "harness/core/recording.h"
 #include "harness/scenario/input.h"
+#include "harness/validation/split.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -58,6 +59,7 @@ ordered_json to_json(const RunScore& r) {
           {"angle", number(r.angle)},
           {"same_side", r.same_side},
           {"impact", number(r.impact)},
+          {"place", number(r.place)},
           {"loss", number(r.loss)},
           {"covered", number(r.covered)}};
 }
@@ -70,6 +72,7 @@ ordered_json to_json(const Summary& s) {
           {"angle", to_json(s.angle)},
           {"same_side", to_json(s.same_side)},
           {"impact", to_json(s.impact)},
+          {"place", to_json(s.place)},
           {"loss", to_json(s.loss)},
           {"covered", to_json(s.covered)},
           {"band", validation::name(s.band)}};
@@ -84,6 +87,7 @@ std::string told(const Summary& s, int members) {
   out += fmt::format("  rest, angle         {}\n", shown(s.angle, degrees, " deg"));
   out += fmt::format("  same side up        {}\n", shown(s.same_side, 100, " %"));
   out += fmt::format("  first touch, off by {}  ({} runs)\n", shown(s.impact, 1000, " ms", 2), s.impact.runs);
+  out += fmt::format("  and its place by  {}\n", shown(s.place, 1000, " mm"));
   out += fmt::format("  energy lost, off by {}  ({} runs)\n", shown(s.loss, 100, " % of it", 1), s.loss.runs);
   return out + told_band(s.covered, s.band, members);
 }
@@ -116,6 +120,7 @@ std::string told(const validation::HorizonSummary& s, int members) {
       return std::isfinite(t) ? fmt::format("{:.3g} s", t) : std::string("the end");
     };
     if (std::isnan(e.value)) return std::string("not known");
+    if (e.interval.low == -HUGE_VAL) return one(e.value);  // of too few runs
     return fmt::format("{} [{}, {}]", one(e.value), one(e.interval.low), one(e.interval.high));
   };
   std::string out;
@@ -138,6 +143,13 @@ void set_step(measured::Experiment& e, const std::string& step) {
     throw core::InputError(
         fmt::format("--dt {}: a frame is no whole number of steps: {}", step, error.what()));
   }
+}
+
+measured::Experiment first_runs(const measured::Experiment& e, int count) {
+  const auto wanted = static_cast<std::size_t>(count);
+  if (wanted > e.runs.size())
+    throw core::InputError(fmt::format("--runs {}: {} has {} runs", wanted, e.file, e.runs.size()));
+  return count == 0 ? e : validation::with_runs(e, wanted);
 }
 
 measured::Experiment set_values(const measured::Experiment& e, const std::vector<std::string>& values) {

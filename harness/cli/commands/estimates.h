@@ -32,6 +32,9 @@ std::string told(const validation::HorizonSummary&, int members);
 /// --dt of an experiment's model; empty: its own.  Throws core::InputError where a frame is no whole number of steps.
 void set_step(measured::Experiment&, const std::string& step);
 
+/// --runs N of an experiment: the first by the hashes of their names; 0: all.  Throws core::InputError where it has fewer.
+measured::Experiment first_runs(const measured::Experiment&, int count);
+
 /// The experiment with "NAME=VALUE" of its parameters.  Throws core::InputError for a name that it has not, what is no number, or a
 /// value outside the parameter's range.
 measured::Experiment set_values(const measured::Experiment&, const std::vector<std::string>& values);

@@ -66,13 +66,6 @@ std::vector<Fold> folds(const Options& options, const measured::Experiment& e) {
   return all;
 }
 
-std::size_t runs_of(const Options& options, const measured::Experiment& e) {
-  const auto count = static_cast<std::size_t>(options.runs);
-  if (count > e.runs.size())
-    throw core::InputError(fmt::format("--runs {}: {} has {} runs", count, e.file, e.runs.size()));
-  return count;
-}
-
 std::vector<measured::Parameter> wanted(const Options& options, const measured::Experiment& e) {
   if (e.parameters.empty()) throw core::InputError(fmt::format("{}: it has no [[parameter]] to fit", e.file));
   if (options.parameters.empty()) return e.parameters;
@@ -121,6 +114,7 @@ FitRow fitted(const Context& context, const Options& options, const measured::Ex
   const study::Runner runner = study::session_runner(engine, {.run_seconds = options.timeout});
   FitRow row;
   bool is_fitted = false;
+  for (const std::size_t i : fold.on) row.fitted_data.push_back(e.runs[i].hash);
   row.engine = engine.id, row.fitted_on = names_of(e, fold.on), row.judged_on = names_of(e, fold.by);
   try {
     Likelihood likelihood(e, parameters, fold.on, runner, jobs);
@@ -176,7 +170,7 @@ int fit(const Context& context, const Options& options) {
   measured::Experiment e = measured::read(options.experiment);
   set_step(e, options.step);
   const std::size_t measured_runs = e.runs.size();
-  if (options.runs > 0) e = validation::with_runs(e, runs_of(options, e));
+  e = first_runs(e, options.runs);
   const auto parameters = wanted(options, e);
   const auto rows = with_brought(context, options.brought);
   const std::vector<Fold> parts = folds(options, e);

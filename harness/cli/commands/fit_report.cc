@@ -79,6 +79,7 @@ ordered_json to_json(const FitRow& row, const std::vector<measured::Parameter>& 
   ordered_json j{{"engine", row.engine},
                  {"failure", row.failure},
                  {"fitted_on", row.fitted_on},
+                 {"fitted_data", row.fitted_data},
                  {"judged_on", row.judged_on}};
   if (!row.failure.empty()) return j;
   const Fit& f = row.fit;

@@ -16,6 +16,8 @@ namespace cylon::cli {
 struct FitRow {
   std::string engine, failure;         ///< Why there is no fit; the rest is not known then.
   std::vector<std::string> fitted_on;  ///< Names of runs.
+  std::vector<std::string>
+      fitted_data;  ///< Their hashes: what was seen is known again in another file, under another name.
   validation::Fit fit;
   std::vector<std::string> judged_on;  ///< Names of runs that the likelihood was taken of; may be empty.
   std::string judge_failure;           ///< Why they could not be judged; the fit is known all the same.

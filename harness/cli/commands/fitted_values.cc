@@ -41,7 +41,7 @@ Eigen::MatrixXd matrix(const json& rows, std::size_t size) {
 FoundFit read_fit(const json& one, const std::string& file, const measured::Experiment& e, bool covariance) {
   FoundFit made;
   made.engine = one.at("engine").get<std::string>(), made.failure = one.at("failure").get<std::string>();
-  for (const json& run : one.at("fitted_on")) made.fitted_on.insert(run.get<std::string>());
+  for (const json& run : one.at("fitted_data")) made.seen.insert(run.get<std::string>());
   if (!made.failure.empty()) return made;
   std::vector<std::string> unknown;
   for (const json& p : one.at("parameters")) {
@@ -76,11 +76,7 @@ std::vector<FoundFit> read_fits(const std::string& file, const measured::Experim
     const json document = input::parse_json<json>(read_whole(file, longest_file));
     if (!document.is_object() || document.value("format", "") != "cylon-fit/1")
       throw core::InputError(fmt::format("{}: not a file of cylon fit --json", file));
-    const bool same_data = document.at("experiment").get<std::string>() == e.hash;
-    for (const json& one : document.at("fits")) {
-      all.push_back(read_fit(one, file, e, covariance));
-      if (!same_data) all.back().fitted_on.clear();
-    }
+    for (const json& one : document.at("fits")) all.push_back(read_fit(one, file, e, covariance));
   } catch (const input::BadJson& error) {
     throw core::InputError(fmt::format("{}: {}", file, error.what()));
   } catch (const json::exception& error) {
@@ -97,9 +93,10 @@ std::vector<std::string> engines_of(const std::vector<FoundFit>& fits) {
   return engines;
 }
 
-const FoundFit* unseen(const std::vector<FoundFit>& fits, const std::string& engine, const std::string& run) {
+const FoundFit* unseen(const std::vector<FoundFit>& fits, const std::string& engine,
+                       const measured::Run& run) {
   const auto found = std::ranges::find_if(
-      fits, [&](const FoundFit& fit) { return fit.engine == engine && !fit.fitted_on.contains(run); });
+      fits, [&](const FoundFit& fit) { return fit.engine == engine && !fit.seen.contains(run.hash); });
   return found == fits.end() ? nullptr : &*found;
 }
 

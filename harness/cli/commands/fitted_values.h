@@ -11,8 +11,8 @@ namespace cylon::cli {
 
 /// One fit of one engine.
 struct FoundFit {
-  std::string engine, failure;      ///< Why there is none.
-  std::set<std::string> fitted_on;  ///< Names of runs of these very data; of other data it saw none.
+  std::string engine, failure;  ///< Why there is none.
+  std::set<std::string> seen;   ///< Hashes of the runs that it was fitted on.
   validation::Fitted fitted;
 };
 
@@ -25,6 +25,6 @@ std::vector<FoundFit> read_fits(const std::string& file, const measured::Experim
 std::vector<std::string> engines_of(const std::vector<FoundFit>&);
 
 /// The first fit of the engine that did not see the run: that of the fold that left it out.  Null: it was seen by all, or there is none.
-const FoundFit* unseen(const std::vector<FoundFit>&, const std::string& engine, const std::string& run);
+const FoundFit* unseen(const std::vector<FoundFit>&, const std::string& engine, const measured::Run&);
 
 }  // namespace cylon::cli

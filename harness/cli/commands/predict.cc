@@ -14,9 +14,11 @@
 #include "harness/process/interruption.h"
 #include "harness/study/parallel.h"
 #include "harness/study/session_runner.h"
+#include "harness/validation/kinematics.h"
 #include "harness/validation/length_scale.h"
 #include "harness/validation/score.h"
 #include "harness/validation/split.h"
+#include "harness/validation/synthetic.h"
 #include "reports/html.h"
 
 #include <fmt/format.h>
@@ -28,6 +30,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <numeric>
 
 namespace cylon::cli {
 namespace {
@@ -38,11 +41,11 @@ using validation::Estimate, validation::Horizon, validation::RunScore;
 constexpr int not_said = -1, usual_curves = 3;
 
 struct Options {
-  std::string experiment, json, html, step, fit;
+  std::string experiment, json, html, step, fit, synthetic;
   std::vector<std::string> engines, values;
   Brought brought;
   validation::Band band;
-  int jobs = 0, curves = not_said;
+  int jobs = 0, runs = 0, curves = not_said;
   double timeout = 60;
 };
 
@@ -62,12 +65,12 @@ struct Task {
 // Of a run with a fit that did not see it, where there are fits.
 template <class Score, class One>
 Score with_fit_of(const Task& task, const process::EngineChoice& engine, std::size_t run, const One& one) {
-  const std::string& name = task.experiment.runs[run].name;
   if (task.fits.empty()) return one(validation::Fitted{});
-  const FoundFit* fit = unseen(task.fits, engine.id, name);
+  const FoundFit* fit = unseen(task.fits, engine.id, task.experiment.runs[run]);
   if (fit && fit->failure.empty()) return one(fit->fitted);
   Score none;
-  none.run = name, none.failure = fit ? "no fit: " + fit->failure : "every fit of this engine saw the run";
+  none.run = task.experiment.runs[run].name,
+  none.failure = fit ? "no fit: " + fit->failure : "every fit of this engine saw the run";
   return none;
 }
 
@@ -92,11 +95,30 @@ std::vector<Score> of_runs(const Context& context, const Options& options, const
 }
 
 std::string told_length(const char* what, const Estimate& scale, const std::string& means) {
-  if (scale.runs < 2) return fmt::format("  {:<22} not known ({} runs)\n", what, scale.runs);
+  if (!std::isfinite(scale.interval.low))
+    return fmt::format("  {:<22} {} ({} runs, too few for an interval)\n", what, shown(scale, 1, "", 4),
+                       scale.runs);
   const auto answer = validation::answer({1, 1}, scale.interval.low, scale.interval.high);
   return fmt::format("  {:<22} {:.4f} [{:.4f}, {:.4f}] of {} ({} runs){}\n", what, scale.value,
                      scale.interval.low, scale.interval.high, means, scale.runs,
                      answer == validation::Answer::inside ? "" : ": 1 is outside the interval");
+}
+
+std::string told_slope(const char* what, const Estimate& slope, const char* of) {
+  if (!std::isfinite(slope.value)) return "";
+  return fmt::format("  {:<22} {} of {}{}\n", what, shown(slope, 1, "", 3), of,
+                     validation::goes_together(slope) == validation::Answer::outside
+                         ? ": they do not go together; check columns, units, axes and rate"
+                         : "");
+}
+
+void tell_kinematics(const Options& options, const measured::Experiment& e) {
+  const validation::Kinematics of = validation::kinematics(e);
+  const bool chain = e.coordinates == measured::Coordinates::chain;
+  words(options)
+      << "Columns against each other, steps from frame to frame over velocities, with 95 % intervals:\n"
+      << told_slope("positions", of.velocity, "velocities")
+      << told_slope(chain ? "angles" : "orientations", of.spin, chain ? "rates" : "angular velocities");
 }
 
 void tell_lengths(const Options& options, const measured::Experiment& e) {
@@ -179,6 +201,9 @@ ordered_json predicted(const Context& context, const Options& options, const Tas
                            {"fitted", !task.fits.empty()},
                            {"members", options.band.members},
                            {"seed", options.band.seed},
+                           {"discrepancy", options.band.discrepancy},
+                           {"synthetic", options.synthetic},
+                           {"kinematics", kinematics_json(e)},
                            {"drawn", measured_json(e, task.drawn)},
                            {"engines", ordered_json::array()}};
   if (e.coordinates == measured::Coordinates::chain) {
@@ -198,14 +223,32 @@ ordered_json predicted(const Context& context, const Options& options, const Tas
   return document;
 }
 
+// The experiment with data that an engine made of it.
+measured::Experiment made_by(const process::EngineChoice& engine, const Options& options,
+                             measured::Experiment e) {
+  std::vector<std::size_t> runs(e.runs.size());
+  std::iota(runs.begin(), runs.end(), 0);
+  e.parameters.clear();  // the values of the model are the truth
+  try {
+    return validation::synthetic(e, runs, {}, study::session_runner(engine, {.run_seconds = options.timeout}),
+                                 options.band.seed);
+  } catch (const study::RunFailed& failed) {
+    throw core::InputError(fmt::format("--synthetic {}: {}", engine.id, failed.outcome.reason));
+  }
+}
+
 Task task_of(const Context& context, const Options& options) {
   Task task;
   task.experiment = measured::read(options.experiment);
   measured::Experiment& e = task.experiment;
   set_step(e, options.step);
+  e = first_runs(e, options.runs);
   e = set_values(e, options.values);
   if (!options.fit.empty()) task.fits = read_fits(options.fit, e, options.band.members > 0);
+  if (options.band.discrepancy && !std::isfinite(e.fit.degrees))
+    throw core::InputError(fmt::format("--discrepancy: {}: [fit] states no degrees", e.file));
   const auto rows = with_brought(context, options.brought);
+  if (!options.synthetic.empty()) e = made_by(process::parse_engine(options.synthetic, rows), options, e);
   const std::vector<std::string> ids = !options.engines.empty() ? options.engines
                                        : task.fits.empty()      ? process::compared_engines()
                                                                 : engines_of(task.fits);
@@ -217,9 +260,8 @@ Task task_of(const Context& context, const Options& options) {
   }
   const int curves = options.curves == not_said ? usual_curves : options.curves;
   for (const std::size_t run : validation::order_of(e)) {
-    const std::string& name = e.runs[run].name;
     if (!task.fits.empty() && std::ranges::none_of(task.engines, [&](const process::EngineChoice& engine) {
-          return unseen(task.fits, engine.id, name);
+          return unseen(task.fits, engine.id, e.runs[run]);
         }))
       continue;
     task.runs.push_back(run);
@@ -253,7 +295,18 @@ int predict(const Context& context, const Options& options) {
     words(options) << plain_line(fmt::format("  known: {}", known)) << '\n';
   for (const std::string& value : options.values)
     words(options) << plain_line(fmt::format("  set: {}", value)) << '\n';
+  if (!options.synthetic.empty())
+    words(options) << plain_line(fmt::format("  synthetic: made by {} with the stated errors, seed {}",
+                                             options.synthetic, options.band.seed))
+                   << '\n';
+  tell_kinematics(options, e);
   if (e.coordinates == measured::Coordinates::free) tell_lengths(options, e);
+  if (options.band.discrepancy && options.band.members > 0)
+    words(options) << fmt::format(
+        "The band has the model's discrepancy of {:g} degrees of freedom: each member's errors have a factor "
+        "of "
+        "their own\n",
+        e.fit.degrees);
   if (!task.fits.empty())
     words(options) << plain_line(fmt::format("Parameters of {}: {} runs that it did not see", options.fit,
                                              task.runs.size()))
@@ -288,6 +341,10 @@ Command add_predict(App& app, const Context& context) {
          "band has their covariance")
       ->type_name("FILE")
       ->excludes(set);
+  app.add_option("--runs", options->runs,
+                 "Only so many runs, the first by the hashes of their names; default: all")
+      ->type_name("N")
+      ->check(in_range(1, 1'000'000));
   app.add_option(
          "--members", options->band.members,
          "Predictions of the band of each run, from uncertain starts, materials and fitted parameters; "
@@ -295,10 +352,19 @@ Command add_predict(App& app, const Context& context) {
       ->type_name("N")
       ->check(in_range(0, 10'000))
       ->capture_default_str();
-  app.add_option("--seed", options->band.seed, "Of the band")
+  app.add_option("--seed", options->band.seed, "Of the band and of --synthetic")
       ->type_name("S")
       ->check(whole(std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();
+  app.add_flag(
+      "--discrepancy", options->band.discrepancy,
+      "The band has the model's discrepancy of [fit] degrees, as fits do: a factor of all errors, for each "
+      "member its own");
+  app.add_option("--synthetic", options->synthetic,
+                 "Predicts in place of the data what this engine makes of the model with the stated errors, "
+                 "by --seed: "
+                 "the truth is known then")
+      ->type_name("ENGINE");
   app.add_option("--json", options->json, "Write everything, run by run, to this file; - is stdout")
       ->type_name("FILE");
   app.add_option("--html", options->html, "Write the page of the data set as one HTML file; - is stdout")

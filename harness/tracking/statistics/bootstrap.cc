@@ -1,5 +1,7 @@
 #include "harness/tracking/statistics/bootstrap.h"
 
+#include "harness/tracking/statistics/quantile.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -10,6 +12,14 @@
 #include <vector>
 
 namespace cylon::statistics {
+namespace {
+
+// Phi(-sqrt(n/(n - 1)) t), Phi the normal distribution.
+double expanded(double tail, double n) {
+  return std::erfc(std::sqrt(n / (n - 1) / 2) * student_quantile(tail, n - 1)) / 2;
+}
+
+}  // namespace
 
 double median(std::span<const double> values) {
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
@@ -30,7 +40,8 @@ Interval bootstrap(std::span<const double> values,
                    std::uint64_t seed, int draws) {
   if (!(tail > 0 && tail < 0.5) || draws * tail < 2)
     throw std::invalid_argument("a bootstrap needs 0 < tail < 1/2 and at least 2/tail draws");
-  if (values.size() < 2) return {};
+  const auto n = static_cast<double>(values.size());
+  if (std::exp2(-n) > tail) return {};
   std::mt19937_64 bits(seed);
   std::vector<double> sample(values.size()), found;
   for (int i = 0; i < draws; ++i) {
@@ -39,7 +50,7 @@ Interval bootstrap(std::span<const double> values,
     found.push_back(estimate(sample));
   }
   std::ranges::sort(found);
-  const auto cut = static_cast<std::size_t>(std::floor(tail * draws));
+  const auto cut = std::max<std::size_t>(1, static_cast<std::size_t>(std::floor(expanded(tail, n) * draws)));
   return {found[cut - 1], found[found.size() - cut]};
 }
 

@@ -101,6 +101,41 @@ TEST(FittedBand, TakesFittedSurfacesFromTheFitAlone) {
   EXPECT_GT(width(none), 1.05 * sure_too);
 }
 
+// Runs of which each has errors of a size of its own, as the discrepancy says: a band with it holds what it should, one without does not.
+TEST(FittedBand, HoldsADiscrepancyThatIsStated) {
+  std::vector<double> with, without;
+  for (std::uint64_t k = 0; k < 600; ++k) {
+    Experiment e = ball_world::throws(1, 3000 + k);
+    e.fit.degrees = 2;
+    Normal normal(k, 1, 1);
+    const double factor = std::sqrt(2 / normal.chi_squared(2));
+    Experiment wide = e;
+    wide.start *= factor, wide.noise *= factor;
+    e.runs = synthetic(wide, std::vector<std::size_t>{0}, ball_world::truth(), ball_world::world(), k).runs;
+    const Fitted exact{e.parameters, ball_world::truth(), Eigen::MatrixXd(4, 0)};
+    const auto covered = [&](bool discrepancy) {
+      return score(e, 0, ball_world::world(), {.seed = k, .discrepancy = discrepancy}, exact).covered;
+    };
+    with.push_back(covered(true)), without.push_back(covered(false));
+  }
+  EXPECT_EQ(band_answer(covered(with)), Answer::inside) << covered(with).value;
+  EXPECT_EQ(band_answer(covered(without)), Answer::outside) << covered(without).value;
+}
+
+TEST(Normals, ChiSquaredHasItsMoments) {
+  for (const double freedom : {0.7, 1.0, 4.0, 30.0}) {
+    Normal normal(5, 0, 0);
+    double mean = 0, square = 0;
+    constexpr int draws = 40000;
+    for (int i = 0; i < draws; ++i) {
+      const double x = normal.chi_squared(freedom);
+      mean += x / draws, square += x * x / draws;
+    }
+    EXPECT_NEAR(mean, freedom, 5 * std::sqrt(2 * freedom / draws)) << freedom;
+    EXPECT_NEAR(square - mean * mean, 2 * freedom, 0.1 * 2 * freedom) << freedom;
+  }
+}
+
 // Members that differ in the factor of lengths start at one place of the data.
 TEST(FittedBand, IsInLengthsOfTheData) {
   Experiment e = seen(1, 8);

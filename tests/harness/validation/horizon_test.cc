@@ -136,6 +136,17 @@ TEST(Horizons, CountRunsThatHoldToTheEndAsLongest) {
   EXPECT_EQ(s.held.interval.high, HUGE_VAL);
 }
 
+// One of two runs holds to the end, and the other one 6 s: "the end" was said to be their median.
+TEST(Horizons, OfHalfTheRunsToTheEndAreThoseOfTheOthers) {
+  std::vector<Horizon> runs(8);
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    runs[i].held = i < 4 ? 3.0 + static_cast<double>(i) : HUGE_VAL, runs[i].expected = runs[i].exponent = 1;
+  EXPECT_EQ(summary(runs).held.value, 6);
+  EXPECT_EQ(summary(runs).held.interval.high, HUGE_VAL);
+  runs.erase(runs.begin());
+  EXPECT_EQ(summary(runs).held.value, HUGE_VAL);
+}
+
 TEST(Horizons, SayWhyThereIsNone) {
   const Experiment e = upright();
   const study::Runner breaks = [](const auto&...) -> core::Recording {

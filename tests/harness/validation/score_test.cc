@@ -98,12 +98,29 @@ TEST(Score, ARightModelIsExactAndAWrongOneIsNot) {
     EXPECT_LT(run.angle, 1e-7);
     EXPECT_TRUE(run.same_side);
     EXPECT_EQ(run.impact, 0);
+    EXPECT_EQ(run.place, 0);
     EXPECT_EQ(run.loss, 0);
     EXPECT_TRUE(std::isnan(run.covered));
   }
   e.model.scene.materials[0].friction = 0.6;
   const Summary wrong = summary(scored(e, {.members = 0}));
   EXPECT_GT(wrong.distance.value, 0.01);
+}
+
+// What was measured lies 20 mm to the side from its second frame on, and 3 mm higher: it touches later, on its way along the table.
+TEST(Score, KnowsThePlaceOfTheFirstTouch) {
+  Experiment e = tosses(1, 0.3, 1);
+  const BodyState start = e.runs[0].states[0][0];
+  for (std::size_t i = 1; i < e.runs[0].states.size(); ++i) e.runs[0].states[i][0].position.z() += 0.02;
+  EXPECT_NEAR(score(e, 0, ran, {.members = 0}).place, 0.02, 1e-12);
+  EXPECT_EQ(score(e, 0, ran, {.members = 0}).impact, 0);
+  for (std::size_t i = 1; i < e.runs[0].states.size(); ++i) e.runs[0].states[i][0].position.y() += 0.003;
+  const RunScore higher = score(e, 0, ran, {.members = 0});
+  const Vector3 way =
+      -higher.impact * Vector3(start.velocity.x(), 0, start.velocity.z()) + Vector3(0, 0, 0.02);
+  EXPECT_LT(higher.impact, -5e-4);
+  EXPECT_NEAR(higher.place, way.norm(), 1e-3 * way.norm());
+  EXPECT_EQ(summary({higher}).place.value, higher.place);
 }
 
 // The cube loses what it falls with at the touch, and friction takes the rest: with more of it, more is gone 0.1 s later.

@@ -3,6 +3,7 @@
 
 #include "harness/core/input_error.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 #include <zlib.h>
@@ -12,6 +13,7 @@
 #include <fstream>
 #include <numbers>
 #include <string>
+#include <vector>
 
 namespace cylon::measured {
 namespace {
@@ -178,6 +180,91 @@ TEST_F(Experiments, ReadGzip) {
   }
 }
 
+struct Form {
+  const char* name;
+  std::string table;
+  std::vector<std::string> runs = {"7", "2"};
+};
+
+class TableForms : public Experiments, public testing::WithParamInterface<Form> {};
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+// As other programs write tables; what nobody reads may be anything.
+TEST_P(TableForms, AreRead) {
+  const Experiment e = read_it(about + columns, GetParam().table), plain = read_it(about + columns, two_runs);
+  ASSERT_EQ(e.runs.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(e.runs[i].name, GetParam().runs[i]);
+    EXPECT_EQ(e.runs[i].hash, plain.runs[i].hash);
+    EXPECT_EQ(e.runs[i].states[1][0].position, plain.runs[i].states[1][0].position);
+  }
+}
+
+const std::string no_return = replaced(two_runs, "\r", "");
+const std::string quoted = [] {
+  std::string text = "\"" + replaced(replaced(no_return, ",", "\",\""), "\n", "\"\n\"");
+  text.pop_back();
+  return text;
+}();
+
+INSTANTIATE_TEST_SUITE_P(
+    Tables, TableForms,
+    testing::Values(
+        Form{"Mark", "\xef\xbb\xbf" + two_runs}, Form{"Returns", replaced(no_return, "\n", "\r\n")},
+        Form{"EmptyEnd", two_runs + "\n  \n"}, Form{"Comments", "# mine\n#\n" + two_runs},
+        Form{"Semicolons", replaced(two_runs, ",", ";")}, Form{"Tabs", replaced(two_runs, ",", "\t")},
+        Form{"Quotes", quoted},
+        Form{"Words",
+             replaced(replaced(no_return, "\n7", "\ntoss a"), "\n2,", "\n\"2 b\","),
+             {"toss a", "2 b"}},
+        Form{"Notes",
+             replaced(replaced(no_return, "\n", ",\"good, or not\"\n"), "r,\"good, or not\"", "r,note")},
+        Form{"NumbersNobodyReads", replaced(replaced(no_return, "\n", ",nan\n"), "r,nan", "r,spare")}),
+    [](const auto& form) { return std::string(form.param.name); });
+
+// A run is known again by its numbers, not by what stands beside it.
+TEST_F(Experiments, KnowARunAgain) {
+  const Experiment e = read_it(about + columns, two_runs),
+                   other =
+                       read_it(replaced(about, "\"t\"", "\"another title\"") + columns +
+                                   "[uncertainty]\nnoise = 0.1\n",
+                               two_runs + "9,0,1,2,3,1,0,0,0,0,0,0,0,0,0\n9,1,1,2,3,1,0,0,0,0,0,0,0,0,0\n"),
+                   changed = read_it(about + columns, replaced(two_runs, "301", "301.001"));
+  EXPECT_NE(e.hash, other.hash);
+  EXPECT_EQ(e.runs[0].hash, other.runs[0].hash);
+  EXPECT_EQ(e.runs[1].hash, other.runs[1].hash);
+  EXPECT_NE(e.runs[0].hash, changed.runs[0].hash);
+  EXPECT_EQ(e.runs[1].hash, changed.runs[1].hash);
+}
+
+// A turn of 0.02 rad about an axis in the components of left-handed axes, which obey the same formulas as those of right-handed ones:
+// the spin still turns the body from frame to frame, the place is mirrored, and a point of the body goes with it.
+TEST_F(Experiments, MirrorLeftHandedAxes) {
+  const core::Vector3 spin(1.2, -0.7, 1.45);
+  const Eigen::AngleAxisd by(spin.norm() * 0.01, spin.normalized());
+  const core::Quaternion q0(0.6, 0, 0.8, 0), q1 = core::Quaternion(by) * q0;
+  const auto row = [&](int k, const core::Quaternion& q) {
+    return fmt::format("7,{},1,2,3,{},{},{},{},4,5,6,{},{},{}\n", k, q.w(), q.x(), q.y(), q.z(), spin.x(),
+                       spin.y(), spin.z());
+  };
+  const Experiment e =
+      read_it(about + columns + "[units]\nhand = \"left\"\n", head + row(0, q0) + row(1, q1));
+  const core::BodyState &a = e.runs[0].states[0][0], &b = e.runs[0].states[1][0];
+  EXPECT_EQ(a.position, core::Vector3(-1, 2, 3));
+  EXPECT_EQ(a.velocity, core::Vector3(-4, 5, 6));
+  const Eigen::AngleAxisd turn(b.orientation * a.orientation.conjugate());
+  EXPECT_LT((turn.angle() * turn.axis() - 0.01 * a.angular_velocity).norm(), 1e-12);
+  // A point (1, 2, 3) of the body lies at (-1, 2, 3) in the mirrored one.
+  const core::Vector3 seen = q1 * core::Vector3(1, 2, 3);
+  EXPECT_LT((b.orientation * core::Vector3(-1, 2, 3) - core::Vector3(-seen.x(), seen.y(), seen.z())).norm(),
+            1e-12);
+}
+
 TEST_F(Experiments, RefuseWhatCannotBe) {
   const std::string row = "7,3,1,2,3,0.6,0.8,0,0,1,2,3,4,5,6\n", next = "7,4,1,2,3,0.6,0.8,0,0,1,2,3,4,5,6\n";
   const auto with = [&](std::string text, const std::string& from, const std::string& to) {
@@ -218,6 +305,13 @@ TEST_F(Experiments, RefuseWhatCannotBe) {
       {"a run in two pieces", about + columns,
        head + row + next + with(row, "7,3", "8,0") + with(row, "7,3", "7,5"), "t.csv:5: run 7 goes on"},
       {"a column twice", about + columns, with(head, "x,y", "x,x") + row + next, "t.csv:1: column 4"},
+      {"one column for two", about + with(columns, "\"y\"", "\"x\""), head + row + next,
+       "position has 'x' twice"},
+      {"an empty line between rows", about + columns, head + row + "\n" + next, "t.csv:3: an empty line"},
+      {"a time of another rate", about + with(columns, "frame = \"k\"", "time = \"k\""), head + row + next,
+       "t.csv:3: run 7 is at 4 s, where 100 frames a second make it 3.01 s"},
+      {"axes of no hand", about + columns + "[units]\nhand = \"lift\"\n", head + row + next, "hand"},
+      {"a nameless run", about + columns, head + with(row, "7,", ",") + next, "t.csv:2: the name of a run"},
       {"no rows", about + columns, head, "no rows"},
       {"columns of a chain", about + columns + "angles = [\"x\"]\n", head + row + next,
        "angles is of a chain"},
