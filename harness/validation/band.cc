@@ -4,6 +4,7 @@
 #include "harness/validation/normal.h"
 #include "harness/validation/path.h"
 #include "harness/validation/split.h"
+#include "harness/validation/surfaces.h"
 #include "reference/measured/coordinates.h"
 
 #include <Eigen/Eigenvalues>
@@ -27,12 +28,7 @@ std::vector<State> member(const Experiment& e, const Fitted& fitted, std::size_t
                           const study::Runner& runner, Normal& normal, double deviation, Experiment& drawn) {
   Eigen::VectorXd start(e.start.cols());
   for (double& one : start) one = normal(deviation);
-  std::vector<core::Material> surfaces;
-  for (std::size_t i = 0; i < e.model.scene.materials.size(); ++i) {
-    core::Material& by = surfaces.emplace_back();
-    by.friction = normal(deviation * e.material.friction);
-    by.restitution = normal(deviation * e.material.restitution);
-  }
+  const auto surfaces = drawn_surfaces(e, normal, deviation);
   Fitted own = fitted;
   Eigen::VectorXd errors(fitted.factor.cols());
   for (double& one : errors) one = normal(deviation);
@@ -44,11 +40,7 @@ std::vector<State> member(const Experiment& e, const Fitted& fitted, std::size_t
   drawn = with_fit(e, own);
   Scene scene =
       measured::started(drawn, measured::moved(drawn, drawn.runs[0].states.front(), drawn.start * start));
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    core::Material& m = scene.materials[i];
-    m.friction = std::max(0.0, m.friction + surfaces[i].friction);
-    m.restitution = std::clamp(m.restitution + surfaces[i].restitution, 0.0, 1.0);
-  }
+  add_surfaces(scene, surfaces);
   return predicted(drawn, scene, frames, runner);
 }
 

@@ -2,13 +2,14 @@
 
 #include "harness/validation/normal.h"
 #include "harness/validation/path.h"
+#include "harness/validation/surfaces.h"
 #include "reference/measured/coordinates.h"
 
 namespace cylon::validation {
 
 measured::Experiment synthetic(const measured::Experiment& like, std::span<const std::size_t> runs,
                                std::span<const double> values, const study::Runner& runner,
-                               std::uint64_t seed) {
+                               std::uint64_t seed, Surfaces surfaces) {
   measured::Experiment made = measured::with_values(like, like.parameters, values);
   std::vector<measured::Run> seen;
   for (const std::size_t i : runs) {
@@ -21,8 +22,9 @@ measured::Experiment synthetic(const measured::Experiment& like, std::span<const
     };
     const core::State start = erred(run.states.front());
     measured::Run drawn{run.name, {}};
-    for (const core::State& state :
-         predicted(made, measured::started(made, start), run.states.size(), runner))
+    core::Scene scene = measured::started(made, start);
+    if (surfaces == Surfaces::drawn) add_surfaces(scene, drawn_surfaces(made, normal));
+    for (const core::State& state : predicted(made, scene, run.states.size(), runner))
       drawn.states.push_back(erred(state));
     seen.push_back(drawn);
   }

@@ -231,7 +231,7 @@ measured::Experiment made_by(const process::EngineChoice& engine, const Options&
   e.parameters.clear();  // the values of the model are the truth
   try {
     return validation::synthetic(e, runs, {}, study::session_runner(engine, {.run_seconds = options.timeout}),
-                                 options.band.seed);
+                                 options.band.seed, validation::Surfaces::drawn);
   } catch (const study::RunFailed& failed) {
     throw core::InputError(fmt::format("--synthetic {}: {}", engine.id, failed.outcome.reason));
   }

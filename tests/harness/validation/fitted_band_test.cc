@@ -101,6 +101,25 @@ TEST(FittedBand, TakesFittedSurfacesFromTheFitAlone) {
   EXPECT_GT(width(none), 1.05 * sure_too);
 }
 
+// Of surfaces that are known to a deviation alone each run has its own, and a band that is told so holds what it should.
+TEST(FittedBand, HoldsRunsWithSurfacesOfTheirOwn) {
+  std::vector<double> drawn, exact;
+  for (std::uint64_t k = 0; k < 400; ++k) {
+    Experiment e = ball_world::throws(1, 7000 + k);
+    e.parameters.clear();
+    e.material = {.friction = 0.02, .restitution = 0.08};
+    e.model.scene.materials[0] = core::Material{{"ball", "table"}, 0.5, 0.1};
+    const auto covered = [&](Surfaces surfaces, const measured::MaterialError& told) {
+      Experiment seen = synthetic(e, std::vector<std::size_t>{0}, {}, ball_world::world(), k, surfaces);
+      seen.material = told;
+      return score(seen, 0, ball_world::world(), {.seed = k}).covered;
+    };
+    drawn.push_back(covered(Surfaces::drawn, e.material)), exact.push_back(covered(Surfaces::drawn, {}));
+  }
+  EXPECT_EQ(band_answer(covered(drawn)), Answer::inside) << covered(drawn).value;
+  EXPECT_EQ(band_answer(covered(exact)), Answer::outside) << covered(exact).value;
+}
+
 // Runs of which each has errors of a size of its own, as the discrepancy says: a band with it holds what it should, one without does not.
 TEST(FittedBand, HoldsADiscrepancyThatIsStated) {
   std::vector<double> with, without;
