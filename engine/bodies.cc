@@ -452,6 +452,9 @@ void Bodies::scales(const Real* y, Real* scale) {
   if (at_rest == 0 && speed_ > 0 && speed_ < shaken) at_rest = std::sqrt(pull_ * length_);
   const Real speed = std::max(speed_, at_rest);
   const Real turn = std::max(turn_, length_ > 0 ? at_rest / length_ : 0);
+  Real passed_on = 0;
+  if (!model_.joints.empty())
+    for (std::size_t i = 0; i < count_; ++i) passed_on = std::max(passed_on, 1000 * epsilon * spin_[i]);
   const auto or_one = [](Real x) { return x > 0 ? x : Real(1); };
   std::fill_n(scale, extras_, Real(1e30));  // works, turns and the clock are not controlled
   scale += extras_;
@@ -466,6 +469,9 @@ void Bodies::scales(const Real* y, Real* scale) {
     // such a spin is measured by what the same momentum at the body's radius of gyration would be.
     const Real orbital = speed * std::sqrt(body.mass * inertia);
     if (spin < 1000 * epsilon * orbital) spin = orbital;
+    // So do the torques of joints: they pass on what turns others, and balance on a body that they hold to the rounding
+    // of those spins.
+    if (spin < passed_on) spin = inertia * turn;
     std::fill(scale + 10, scale + 13, or_one(spin));
   }
 }

@@ -69,6 +69,10 @@ std::string reason(const Fault& fault) {
              "truncation nor an unstable scheme, but a limit that the engine sets on a step.";
     case Kind::fine_step:
       return "The fault is of fine steps: it comes when the step is halved, which truncation does not.";
+    case Kind::slow:
+      return "The error does not fall at the steps above, though the last of them resolves every rate of the "
+             "scene. At "
+             "a 64th of the step it falls, so that it is truncation in the end.";
   }
   return "";
 }

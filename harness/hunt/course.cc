@@ -23,7 +23,8 @@ constexpr std::pair<Kind, std::string_view> names[] = {
     {Kind::every_step, "at every step"},
     {Kind::own_promise, "more than the engine's own promise"},
     {Kind::coarse_step, "at the coarse step alone"},
-    {Kind::fine_step, "at fine steps alone"}};
+    {Kind::fine_step, "at fine steps alone"},
+    {Kind::slow, "until steps are far finer"}};
 
 }  // namespace
 
@@ -48,6 +49,16 @@ bool Course::rises(const std::array<double, halvings>& measured, double allowed)
 double Course::least_part() const {
   return *std::min_element(measured_.begin(), measured_.begin() + static_cast<std::ptrdiff_t>(count_)) *
          relative_ / allowed_;
+}
+
+bool Course::may_be_saturated() const {
+  return every_step_ && allowed_ > 0 && count_ == halvings && std::isfinite(measured_[halvings - 1]) &&
+         least_part() > small;
+}
+
+bool Course::falls_at_last(double at_a_64th) const {
+  constexpr double falls_twice = falls_in_the_end * falls_in_the_end;  // from dt/16
+  return at_a_64th < falls_twice * measured_[halvings - 1];
 }
 
 void Course::not_promised(int order) {

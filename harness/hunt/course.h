@@ -1,7 +1,10 @@
 // What an error does when the step is halved says whether it is truncation, which is no fault.
 //
 //   at every step     e > 10 allowed at dt, dt/2, … dt/16, and what is left of it by a halving is more than 3/4, of the
-//                     last one 9/10; an error of first order falls to a half.
+//                     last one 9/10; an error of first order falls to a half.  One that is as large as its scale lets it
+//                     be does not fall, either, until the step is fine enough: above a twentieth of the scale it must
+//                     also be there at dt/64, no less than 9/10 of a halving.
+//   slow to fall      It is not: truncation, which is no fault, but of what is conserved where dt/16 resolves all rates.
 //   own promise       Where the motion is smooth and no more sensitive than most_sensitive.  A scheme that states the order p > 1 errs
 //                     by C dt^p: a fault falls by less than 2^-(p - 1/2) three times, while it is small against the
 //                     motion.  One that bounds its error by a tolerance errs by no more than
@@ -25,9 +28,10 @@ namespace cylon::hunt {
 /// How many steps are asked, each half of the one before.
 inline constexpr std::size_t halvings = 5;
 
-enum class Kind { every_step, own_promise, coarse_step, fine_step };
+enum class Kind { every_step, own_promise, coarse_step, fine_step, slow };
 
-/// "at every step", "more than the engine's own promise", "at the coarse step alone", "at fine steps alone".
+/// "at every step", "more than the engine's own promise", "at the coarse step alone", "at fine steps alone",
+/// "until steps are far finer".
 std::string_view name(Kind);
 std::optional<Kind> kind_from(std::string_view);
 
@@ -72,6 +76,11 @@ class Course {
   /// motion makes nothing of an error.
   double least_part() const;
   static double held_to(const study::Promise&);
+
+  /// Whether errors at all steps may be large because they cannot be larger, so that they do not tell; and whether the error
+  /// at dt/64 tells that they are truncation.
+  bool may_be_saturated() const;
+  bool falls_at_last(double at_a_64th) const;
 
  private:
   double left() const { return measured_[count_ - 1] / measured_[count_ - 2]; }

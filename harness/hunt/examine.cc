@@ -100,10 +100,25 @@ class Examination {
     return one;
   }
 
+  // Large errors that do not fall: at a far finer step they do where they are truncation.  `measure(i)`: the error at the
+  // i-th step; nothing where there is no such run.
+  template <class Measure>
+  std::optional<Kind> asked_further(const Asked& asked, const Measure& measure) const {
+    constexpr std::size_t at_a_64th = 6;
+    if (!asked.course.may_be_saturated()) return asked.course.fault();
+    const std::optional<double> finer = measure(at_a_64th);
+    if (!finer || !asked.course.falls_at_last(*finer)) return Kind::every_step;
+    Trial finest = trial_;
+    finest.step = step(halvings - 1);
+    const bool resolved = is_smooth(trial_.scene) && resolves(finest).value_or(false);
+    return resolved && !asked.of_trajectories ? std::optional(Kind::slow) : std::nullopt;
+  }
+
   // What is a fault in the end.
-  void close(Asked& asked) {
+  template <class Measure>
+  void close(Asked& asked, const Measure& measure) {
     if (!asked.answers) return;
-    const std::optional<Kind> kind = asked.course.fault();
+    const std::optional<Kind> kind = asked_further(asked, measure);
     if (!kind || (!only_.oracle.empty() && *kind != only_.kind)) return;
     const bool promise = *kind == Kind::own_promise;
     const bool exact = asked.course.allowed() == 0;
@@ -180,7 +195,13 @@ class Examination {
         if (reading) one.note(reading->measured, oracle->relative * reading->scale, reading->unit);
       }
     }
-    for (auto& [oracle, one] : open) close(one);
+    for (auto& [oracle, one] : open)
+      close(one, [&, oracle = oracle](std::size_t i) -> std::optional<double> {
+        const process::RunOutcome outcome = outcome_at(i);
+        const auto reading =
+            outcome.recording ? oracle->read(trial_.scene, *outcome.recording) : std::nullopt;
+        return reading ? std::optional(reading->measured) : std::nullopt;
+      });
     std::vector<Asked*> quiet;
     std::vector<const Oracle*> rows;
     for (auto& [oracle, one] : open)
@@ -255,7 +276,11 @@ class Examination {
       for (std::size_t k = 0; k < all.size(); ++k)
         if (all[k].open()) all[k].note(verdicts.at(k));
     }
-    for (Asked& one : all) close(one);
+    for (std::size_t k = 0; k < all.size(); ++k)
+      close(all[k], [&](std::size_t i) {
+        const double measured = ask(*scenario, i, study::Exam::claims).at(k).measured;
+        return std::isnan(measured) ? std::nullopt : std::optional(measured);
+      });
     std::vector<Asked*> quiet;
     std::vector<std::size_t> which;
     for (std::size_t k = 0; k < all.size(); ++k)
@@ -294,7 +319,12 @@ class Examination {
         const auto at = all.find(row.claim);
         if (at != all.end() && at->second.open()) at->second.note(row);
       }
-    for (auto& [name, one] : all) close(one);
+    for (auto& [name, one] : all)
+      close(one, [&, &name = name](std::size_t i) -> std::optional<double> {
+        for (const Verdict& row : ask(*scenario, i, study::Exam::relations))
+          if (row.claim == name && !std::isnan(row.measured)) return row.measured;
+        return std::nullopt;
+      });
   }
 
   Trial trial_;

@@ -72,7 +72,12 @@ std::optional<Reading> read_speed(const core::Scene& scene, const core::Recordin
   for (std::size_t k = 0; k < run.states.size(); ++k)
     above = std::max(above, speed(run.states[k]) - start - gain * run.time(k));
   const double end = start + gain * run.time(run.states.size() - 1);
-  return Reading{above, end, "m/s"};
+  // Where nothing moves and no force acts, speeds are the rounding of places in a step.
+  double length = 0;
+  for (const core::Body& body : scene.bodies)
+    length = std::max({length, core::size(body), body.initial.position.norm()});
+  const double rounding = 1e-3 * length / run.dt;
+  return Reading{above, std::max(end, rounding), "m/s"};
 }
 
 std::optional<Reading> read_rebound(const core::Scene& scene, const core::Recording& run) {

@@ -91,6 +91,7 @@ class Shrinking {
   // From the largest edits to the smallest; whether any of them was taken.
   bool round() {
     bool any = shorter();
+    any |= no_frame();
     any |= fewer(
         [](Scene & s) -> auto& { return s.bodies; },
         [](const Scene& s, std::size_t i) { return without_body(s, i); });
@@ -110,6 +111,13 @@ class Shrinking {
     for (const double step : {0.1, 0.01, 0.001})
       if (trial_.step < step && take(Trial{trial_.scene, step, trial_.steps})) any = true;
     return any;
+  }
+
+  bool no_frame() {
+    if (!trial_.scene.frame) return false;
+    Scene scene = trial_.scene;
+    scene.frame.reset();
+    return take(std::move(scene));
   }
 
   template <class List, class Without>

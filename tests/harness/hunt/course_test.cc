@@ -40,6 +40,22 @@ TEST(Course, FindsWhatStays) {
             Kind::every_step);
 }
 
+// An error as large as its scale lets it be, of a scheme of first order: steps of a sixteenth do not tell, a 64th does.
+TEST(Course, KnowsAnErrorThatCannotBeLarger) {
+  const struct {
+    double first;
+    bool saturated;
+  } rows[] = {{0.9 * scale, true}, {0.04 * scale, false}};
+  for (const auto& row : rows) {
+    Course course(of_order(1), relative);
+    for (std::size_t k = 0; k < halvings; ++k)
+      course.add(row.first * (1 - 0.01 * static_cast<double>(k)), allowed, 0);
+    EXPECT_EQ(course.may_be_saturated(), row.saturated) << row.first;
+    EXPECT_TRUE(course.falls_at_last(0.6 * row.first)) << row.first;
+    EXPECT_FALSE(course.falls_at_last(0.9 * row.first)) << row.first;
+  }
+}
+
 TEST(Course, HoldsASchemeToItsOrder) {
   EXPECT_EQ(fault(of_order(4), falling(0.01, 1)), Kind::own_promise);
   EXPECT_EQ(fault(of_order(2), falling(0.01, 1)), Kind::own_promise);
