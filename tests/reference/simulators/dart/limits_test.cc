@@ -18,9 +18,19 @@ const Refusal refusals[] = {
        s.joints = {joint(core::JointType::distance, 2, 0)};
        s.bodies[0].locked = s.bodies[2].locked = true;
      }},
-    {"This adapter gives DART no joint of type slider, such as that of 'c'.",
-     [](Scene& s) { s.joints = {joint(core::JointType::slider, 2, core::world)}; },
-     [](Scene& s) { s.joints = {joint(core::JointType::fixed, 2, core::world)}; }},
+    {"DART has no joint that turns about an axis and slides along it (dart/dynamics/), such as the "
+     "cylindrical one of 'c'.",
+     [](Scene& s) { s.joints = {joint(core::JointType::cylindrical, 2, core::world)}; },
+     [](Scene& s) { s.joints = {joint(core::JointType::slider, 2, core::world)}; }},
+    {"The slider of 'c' closes a loop, for which DART has a ball and a weld alone",
+     [](Scene& s) {
+       s.joints = {joint(core::JointType::ball, 2, core::world),
+                   joint(core::JointType::slider, 2, core::world)};
+     },
+     [](Scene& s) {
+       s.joints = {joint(core::JointType::slider, 2, core::world),
+                   joint(core::JointType::ball, 2, core::world)};
+     }},
     {"The hinge of 'c' closes a loop, for which DART has a ball and a weld alone",
      [](Scene& s) {
        s.joints = {joint(core::JointType::hinge, 2, core::world),
