@@ -135,15 +135,17 @@ std::string to_svg(const Plot& plot) {
                  "<text transform=\"translate(16 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
                  top + height / 2, xml(plot.y_label));
 
-  std::string stairs;
-  double last = 0;
-  for (const auto& p : plot.front) {
-    if (!drawable(p)) continue;
-    stairs += stairs.empty() ? fmt::format("M{:.1f} {:.1f}", at_x(p.first), at_y(p.second))
-                             : fmt::format("L{:.1f} {:.1f}V{:.1f}", at_x(p.first), last, at_y(p.second));
-    last = at_y(p.second);
+  for (const auto& front : plot.fronts) {
+    std::string stairs;
+    double last = 0;
+    for (const auto& p : front) {
+      if (!drawable(p)) continue;
+      stairs += stairs.empty() ? fmt::format("M{:.1f} {:.1f}", at_x(p.first), at_y(p.second))
+                               : fmt::format("L{:.1f} {:.1f}V{:.1f}", at_x(p.first), last, at_y(p.second));
+      last = at_y(p.second);
+    }
+    if (!stairs.empty()) fmt::format_to(to, "<path class=\"f\" d=\"{}\"/>\n", stairs);
   }
-  if (!stairs.empty()) fmt::format_to(to, "<path class=\"f\" d=\"{}\"/>\n", stairs);
   if (plot.line > 0)
     fmt::format_to(to, "<path class=\"t\" d=\"M{} {:.1f}H{}\"/>\n", left, at_y(plot.line), left + width);
 

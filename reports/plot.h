@@ -21,9 +21,9 @@ enum class Scale { logarithmic, linear };
 struct Plot {
   std::string title, x_label, y_label;
   std::vector<Curve> curves;
-  std::vector<std::pair<double, double>> front;  ///< Drawn as a broad staircase behind the curves.
-  double line = 0;                               ///< A horizontal line at this y; 0: none.
-  Scale x_scale = Scale::logarithmic;            ///< The other axis is logarithmic.
+  std::vector<std::vector<std::pair<double, double>>> fronts;  ///< Drawn as broad stairs behind the curves.
+  double line = 0;                                             ///< A horizontal line at this y; 0: none.
+  Scale x_scale = Scale::logarithmic;                          ///< The other axis is logarithmic.
 };
 
 /// A whole SVG document.  The same plot gives the same bytes.

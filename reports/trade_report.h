@@ -24,7 +24,7 @@ nlohmann::ordered_json trade_json(const std::vector<results::TradeTable>&, const
 std::string trade_csv(const std::vector<results::TradeTable>&);
 
 /// Error against CPU time per simulated second (steps per second where there are no times), a curve per
-/// series, the front drawn through.
+/// series, the front of each build drawn through.
 Plot trade_plot(const results::TradeTable&);
 
 /// "in-house rk4", or the engine alone where it has one integrator in the table.

@@ -1,4 +1,5 @@
 // Common parts of the three renderings of a work–precision table: names, order texts, the plot.
+#include "harness/results/build.h"
 #include "reports/text.h"
 #include "reports/trade_report.h"
 
@@ -43,10 +44,8 @@ std::string costs_of_another_build(const std::vector<TradeTable>& tables, const 
   std::map<std::string, std::string> builds;
   for (const TradeTable& table : tables)
     for (const TradeSeries& series : table.series) {
-      const std::size_t open = series.version.find(" (");
-      if (open == std::string::npos || !series.version.ends_with(')')) continue;
-      builds[engine_family(series.engine)] =
-          series.version.substr(open + 2, series.version.size() - open - 3);
+      const std::string build = results::build_of(series.version);
+      if (!build.empty()) builds[engine_family(series.engine)] = build;
     }
   std::string text;
   for (const auto& [engine, build] : builds)
@@ -104,6 +103,7 @@ Plot trade_plot(const TradeTable& table) {
       fmt::format("relative error ({}), largest over {} s", table.measures[table.by].name, table.duration);
   plot.line = table.target;
   std::map<std::string, int> colours, markers;
+  std::map<std::string, std::vector<std::pair<double, double>>> fronts;  // by build
   for (const TradeSeries& series : table.series) {
     if (series.points.empty()) continue;
     const std::string family = engine_family(series.engine);
@@ -115,11 +115,14 @@ Plot trade_plot(const TradeTable& table) {
       const double x = timed ? point.cost : static_cast<double>(point.steps) / table.duration;
       // An error of nothing is drawn at the last bit of a double.
       curve.points.emplace_back(x, std::max(error_of(table, point), 0x1p-53));
-      if (point.on_front) plot.front.push_back(curve.points.back());
+      if (point.on_front) fronts[results::build_of(series.version)].push_back(curve.points.back());
     }
     plot.curves.push_back(std::move(curve));
   }
-  std::sort(plot.front.begin(), plot.front.end());
+  for (auto& [build, front] : fronts) {
+    std::sort(front.begin(), front.end());
+    plot.fronts.push_back(std::move(front));
+  }
   return plot;
 }
 

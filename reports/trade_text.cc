@@ -1,3 +1,4 @@
+#include "harness/results/build.h"
 #include "reports/text.h"
 #include "reports/trade_report.h"
 
@@ -6,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <vector>
 
 namespace cylon::reports {
@@ -58,6 +60,28 @@ std::string points(const TradeTable& table, const TradeSeries& series, const Con
   return text;
 }
 
+using Front = std::vector<std::pair<const TradeSeries*, const TradePoint*>>;
+
+std::string front_text(const TradeTable& table, const std::string& build, Front front,
+                       const ConsoleOptions& options) {
+  std::stable_sort(front.begin(), front.end(),
+                   [](const auto& a, const auto& b) { return a.second->cost < b.second->cost; });
+  std::string out =
+      build.empty()
+          ? "\nPareto front (*): no other setting is both faster and more accurate:\n"
+          : fmt::format("\nPareto front (*) of {}: none of these is both faster and more accurate:\n",
+                        shown(build, options));
+  for (const auto& [series, point] : front)
+    out += fmt::format(
+        "* {} {:<16} error {:>8}  CPU {:>8} s/s  {:>8} ns/body-step\n",
+        fitted(shown(trade_label(table, *series), options), 30, options.utf8 ? "…" : "..."),
+        point->tolerance > 0 ? fmt::format("tol {:.0e}", point->tolerance) : shown(point->dt_text, options),
+        number(point->errors[table.by]), number(point->cost),
+        number(1e9 * point->step_seconds /
+               static_cast<double>(point->steps * std::max<std::int64_t>(1, table.bodies))));
+  return out;
+}
+
 }  // namespace
 
 std::string trade_text(const TradeTable& table, const ConsoleOptions& options, bool every_point) {
@@ -98,22 +122,11 @@ std::string trade_text(const TradeTable& table, const ConsoleOptions& options, b
       "p: order that the engine declares. @: CPU seconds per simulated second to reach this error.\n";
   out += costs_of_another_build({table}, options);
 
-  std::vector<std::pair<const TradeSeries*, const TradePoint*>> front;
+  std::map<std::string, Front> fronts;  // by build; that of native code first
   for (const TradeSeries& series : table.series)
     for (const TradePoint& point : series.points)
-      if (point.on_front) front.emplace_back(&series, &point);
-  if (front.empty()) return out;
-  std::stable_sort(front.begin(), front.end(),
-                   [](const auto& a, const auto& b) { return a.second->cost < b.second->cost; });
-  out += "\nPareto front (*): no other setting is both faster and more accurate:\n";
-  for (const auto& [series, point] : front)
-    out +=
-        fmt::format("* {} {:<16} error {:>8}  CPU {:>8} s/s  {:>8} ns/body-step\n",
-                    fitted(safe(trade_label(table, *series)), 30, dots),
-                    point->tolerance > 0 ? fmt::format("tol {:.0e}", point->tolerance) : safe(point->dt_text),
-                    number(point->errors[table.by]), number(point->cost),
-                    number(1e9 * point->step_seconds /
-                           static_cast<double>(point->steps * std::max<std::int64_t>(1, table.bodies))));
+      if (point.on_front) fronts[results::build_of(series.version)].emplace_back(&series, &point);
+  for (const auto& [build, front] : fronts) out += front_text(table, build, front, options);
   return out;
 }
 

@@ -12,6 +12,7 @@ struct BuiltEngine {
   bool compared;           ///< By commands that compare engines, when none is named.
   const char* brought_by;  ///< Command that installs and builds it where it is missing; "": always built.
   bool takes_plugins;      ///< Its worker takes the words `--plugin NAME FILE`.
+  const char* npm;         ///< The npm package that its worker, a script of Node, needs; "": none.
   bool packaged;  ///< Its worker is a program that an installation can have, and not a script of the sources.
 };
 

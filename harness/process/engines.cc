@@ -6,9 +6,43 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cstdlib>
+#include <ranges>
 
 namespace cylon::process {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_in_path(const char* program) {
+  const char* path = std::getenv("PATH");
+  return std::ranges::any_of(std::views::split(std::string_view(path ? path : ""), ':'), [&](auto folder) {
+    return ::access((fs::path(folder.begin(), folder.end()) / program).c_str(), X_OK) == 0;
+  });
+}
+
+// What the worker of an npm package needs besides itself: Node, and the package beside the script that the worker links to.
+bool has_node_and(const char* package, const fs::path& worker) {
+  std::error_code error;
+  const fs::path folder = fs::canonical(worker, error).parent_path();
+  return !error && is_in_path("node") &&
+         fs::exists(folder / "node_modules" / package / "package.json", error);
+}
+
+bool is_here(const EngineRow& row) {
+  std::error_code ignored;
+  const fs::path worker = row.command.front();
+  if (!fs::exists(worker, ignored)) return false;
+  const auto built =
+      std::ranges::find(engine_table(), row.id, [](const BuiltEngine& e) { return std::string(e.id); });
+  return built == engine_table().end() || std::string_view(built->npm).empty() ||
+         has_node_and(built->npm, worker);
+}
+
+}  // namespace
 
 std::vector<std::string> compared_engines() {
   std::vector<std::string> ids;
@@ -31,8 +65,7 @@ std::vector<EngineRow> default_engines(const std::filesystem::path& worker_dir) 
 }
 
 std::optional<std::string> missing(const EngineRow& row) {
-  std::error_code ignored;
-  if (!row.optional() || std::filesystem::exists(row.command.front(), ignored)) return std::nullopt;
+  if (!row.optional() || is_here(row)) return std::nullopt;
   return fmt::format("{} is not here; `{}` brings it", row.id, row.brought_by);
 }
 

@@ -24,7 +24,7 @@ struct EngineRow {
 };
 
 /// Why an optional engine cannot run: that it is not here, and the command that brings it; nothing where its worker is
-/// there, and of all other engines.
+/// there, with Node and the npm package that it needs, and of all other engines.
 std::optional<std::string> missing(const EngineRow&);
 
 /// The rows that take part where none is named: all but the optional ones.

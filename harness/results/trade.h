@@ -35,7 +35,7 @@ struct TradePoint {
   double load_seconds = std::numeric_limits<double>::quiet_NaN();  ///< CPU time of taking the scene.
   double cost = std::numeric_limits<double>::quiet_NaN();          ///< CPU seconds per simulated second.
   bool on_front = false;
-  std::string dominated_by;  ///< A point of the front: "in-house bm6 at 5/1248"; empty: nobody.
+  std::string dominated_by;  ///< A point of its build's front: "in-house bm6 at 5/1248"; empty: nobody.
 };
 
 /// The runs of one engine with one integrator, from the coarsest step to the finest.

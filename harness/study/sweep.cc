@@ -1,6 +1,7 @@
 #include "harness/study/sweep.h"
 
 #include "harness/core/input_error.h"
+#include "harness/results/build.h"
 #include "harness/study/order_fit.h"
 #include "harness/study/parallel.h"
 #include "harness/study/pareto.h"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <mutex>
 
 namespace cylon::study {
@@ -161,14 +163,17 @@ results::TradeTable sweep_errors(const scenario::Scenario& scenario, const Yards
   return table;
 }
 
-void mark_front(results::TradeTable& table) {
+namespace {
+
+// Of the series of one build.
+void mark_front_of(const std::vector<TradeSeries*>& list, std::size_t by) {
   std::vector<Tradeoff> points;
   std::vector<std::pair<TradeSeries*, TradePoint*>> where;
-  for (TradeSeries& series : table.series)
-    for (TradePoint& point : series.points) {
-      const double error = error_of(point, table.by);
+  for (TradeSeries* series : list)
+    for (TradePoint& point : series->points) {
+      const double error = error_of(point, by);
       points.push_back({point.cost, error < 1 ? error : HUGE_VAL});  // a motion that is lost is worth nothing
-      where.emplace_back(&series, &point);
+      where.emplace_back(series, &point);
     }
   const std::vector<Standing> standing = pareto(points);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -180,6 +185,14 @@ void mark_front(results::TradeTable& table) {
                                         ? fmt::format("{} at {:.0e}", label(*series), point->tolerance)
                                         : fmt::format("{} at {}", label(*series), point->dt_text);
   }
+}
+
+}  // namespace
+
+void mark_front(results::TradeTable& table) {
+  std::map<std::string, std::vector<TradeSeries*>> builds;
+  for (TradeSeries& series : table.series) builds[results::build_of(series.version)].push_back(&series);
+  for (const auto& [build, series] : builds) mark_front_of(series, table.by);
 }
 
 }  // namespace cylon::study

@@ -81,8 +81,8 @@ results::TradeTable sweep_errors(const scenario::Scenario&, const Yardstick&, co
 void sweep_times(results::TradeTable&, const scenario::Scenario&, const std::vector<Setting>&,
                  const SweepOptions&, Memory&, const SweepStep&);
 
-/// Marks the front and whom each other point is dominated by, from costs and errors by `table.by`; an error
-/// of 1 or more is no point.
+/// Marks the front of each build (results/build.h) and whom each other point of it is dominated by, from costs and errors by
+/// `table.by`; an error of 1 or more is no point.
 void mark_front(results::TradeTable&);
 
 }  // namespace cylon::study

@@ -130,5 +130,18 @@ TEST(TradeReport, CheapestMeetsTheTarget) {
   EXPECT_EQ(cheapest(t, t.series[1], 1), nullptr);
 }
 
+// Two fronts, of which the text and the plot tell which build each is of.
+TEST(TradeReport, FrontsOfTwoBuildsStandApart) {
+  TradeTable both = table();
+  both.series[1] = both.series[0];
+  both.series[1].version = "1.1.0 (WebAssembly in Node 20.20.2)";
+  const std::string text = trade_text(both, {}, false);
+  EXPECT_NE(text.find("\nPareto front (*): no other"), std::string::npos) << text;
+  EXPECT_NE(text.find("\nPareto front (*) of WebAssembly in Node 20.20.2: none of these"), std::string::npos)
+      << text;
+  EXPECT_EQ(trade_plot(both).fronts.size(), 2u);
+  EXPECT_EQ(trade_plot(table()).fronts.size(), 1u);
+}
+
 }  // namespace
 }  // namespace cylon::reports

@@ -242,7 +242,14 @@ int hunt_all(const Context& context, const Options& options) {
     throw core::InputError("give either --count N or --minutes N");
   const auto rows = with_brought(context, options.brought);
   std::vector<process::EngineChoice> engines, others;
-  for (const std::string& id : options.engines) engines.push_back(process::parse_engine(id, rows));
+  for (const std::string& id : options.engines) {
+    const process::EngineChoice choice = process::parse_engine(id, rows);
+    if (const auto reason = process::missing(choice.row))
+      std::cerr << plain_line(*reason) << '\n';
+    else
+      engines.push_back(choice);
+  }
+  if (engines.empty()) return nothing_selected;
   for (const process::EngineRow& row : rows)
     if (!process::missing(row)) others.push_back(process::parse_engine(row.id, rows));
   hunt::Source source(options.seed);

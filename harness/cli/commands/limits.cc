@@ -45,6 +45,7 @@ struct Task {
   const scenario::Scenario* scenario = nullptr;
   process::EngineChoice engine;
   std::string name, integrator;  // the engine's own
+  std::string refusal = {};      // why the engine does not run at all
 };
 
 struct Wanted {
@@ -95,9 +96,17 @@ std::vector<Task> entrants(const Context& context, const Options& options) {
   }
   std::vector<Task> all;
   std::vector<std::string> integrators;
+  bool refused = false;
   for (const std::string& id : ids) {
     process::EngineChoice choice = process::parse_engine(id, rows);
-    const core::Engine engine = process::describe(choice);
+    core::Engine engine;
+    try {
+      engine = process::describe(choice);
+    } catch (const process::Failure& failure) {  // one that is not here, too
+      refused = true;
+      all.push_back({.engine = choice, .refusal = failure.what()});
+      continue;
+    }
     for (std::size_t i = 0; i < engine.integrators.size(); ++i) {
       const std::string& integrator = engine.integrators[i].name;
       integrators.push_back(integrator);
@@ -117,8 +126,9 @@ std::vector<Task> entrants(const Context& context, const Options& options) {
     }
   }
   for (const std::string& glob : options.integrators)
-    if (std::none_of(integrators.begin(), integrators.end(),
-                     [&](const std::string& integrator) { return scenario::glob_match(glob, integrator); }))
+    if (!refused && std::none_of(integrators.begin(), integrators.end(), [&](const std::string& integrator) {
+          return scenario::glob_match(glob, integrator);
+        }))
       throw core::InputError(
           fmt::format("--integrator '{}': none of these engines has it{} (integrators: {})", glob,
                       core::did_you_mean(glob, integrators), fmt::join(integrators, ", ")));
@@ -169,6 +179,7 @@ LimitRow search_step(const Task& task, const process::Limits& limits) {
 
 LimitRow search(const Task& task, const process::Limits& limits) {
   try {
+    if (!task.refusal.empty()) throw study::Unsupported{task.refusal};
     return task.family ? search_family(task, limits) : search_step(task, limits);
   } catch (const study::Unsupported& why) {
     LimitRow row;

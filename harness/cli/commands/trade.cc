@@ -176,7 +176,10 @@ Command add_trade(App& app, const Context& context) {
       "Cost is the CPU time of the worker's thread for all steps, without output, after a warm-up run. The\n"
       "shortest of several interleaved repetitions counts. Load time counts only for integrators with error\n"
       "control, because they may solve while they load. Errors do not depend on times; the Pareto front "
-      "does.");
+      "does.\n"
+      "Engines in WebAssembly and in JavaScript have fronts of their own: their costs are not those of "
+      "native "
+      "code.");
   return [=, &context] { return trade(context, *options); };
 }
 

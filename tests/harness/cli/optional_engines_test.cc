@@ -83,6 +83,28 @@ TEST_F(OptionalEngines, CannotBeSimulated) {
   EXPECT_NE(ran.err.find(sentence), std::string::npos) << ran.err;
 }
 
+// cylon limits ended with an internal error, and cylon hunt with 0 faults in scenes that nobody ran.
+TEST_F(OptionalEngines, AreToldByCommandsThatCompareThem) {
+  struct Row {
+    const char* command;
+    int code;
+  };
+  for (const auto& [command, code] : {
+           Row{"limits spring --engine mujoco", 0},
+           Row{"limits projectile --engine ode --engine mujoco --integrator 'semi*'", 0},
+           Row{"hunt --engine mujoco --count 2 --cards cards", 4},
+           Row{"trade projectile --engine mujoco --rounds 0 --steps 2", 4},
+           Row{"advise projectile --engine mujoco --rounds 1", 4},
+           Row{"matrix projectile --engine mujoco --rounds 0", 4},
+           Row{"engines --fingerprint mujoco", 0},
+       }) {
+    const Ran ran = cylon(command);
+    EXPECT_EQ(ran.code, code) << command << ran.out << ran.err;
+    EXPECT_NE((ran.out + ran.err).find(sentence), std::string::npos) << command << ran.out << ran.err;
+    EXPECT_EQ(ran.out.find("mujoco: 0 of"), std::string::npos) << command << ran.out;
+  }
+}
+
 // Commands that take all engines where none is named take the others.
 TEST_F(OptionalEngines, TakePartOnlyWhereTheyAreNamed) {
   for (const char* command : {"matrix projectile --rounds 1 --finest 0.01", "advise projectile --rounds 1"}) {

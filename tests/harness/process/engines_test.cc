@@ -3,6 +3,7 @@
 #include "harness/core/input_error.h"
 #include "harness/process/engine_table.h"
 #include "tests/paths.h"
+#include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -69,6 +70,38 @@ TEST(Engines, MistakesAreNamed) {
   EXPECT_EQ(complaint("ode/=1"), "engine 'ode/=1': expected key=value, got '=1'");
   EXPECT_EQ(complaint("ode/a=1,"), "engine 'ode/a=1,': expected key=value, got ''");
   EXPECT_EQ(complaint("ode/a=1,a=2"), "engine 'ode/a=1,a=2': 'a' is given twice");
+}
+
+// A worker in Node that was built, and whose package or Node has gone since then, is as missing as one that was not built.
+TEST(Engines, AWorkerInNodeIsMissingWithoutItsPackageAndWithoutNode) {
+  struct Row {
+    bool worker, package, node, here;
+  };
+  const std::string usual_path = std::getenv("PATH");
+  for (const Row row : {Row{true, true, true, true},
+                        {false, true, true, false},
+                        {true, false, true, false},
+                        {true, true, false, false}}) {
+    const TemporaryFolder folder;
+    namespace fs = std::filesystem;
+    const fs::path sources = folder.path() / "js", bin = folder.path() / "bin";
+    fs::create_directories(sources / "node_modules");
+    fs::create_directories(bin);
+    std::ofstream(sources / "worker.mjs") << "#!/usr/bin/env node\n";
+    if (row.worker) fs::create_symlink(sources / "worker.mjs", folder.path() / "cylon-worker-rapier");
+    if (row.package) {
+      const fs::path package = sources / "node_modules/@dimforge/rapier3d-compat";
+      fs::create_directories(package);
+      std::ofstream(package / "package.json") << "{}";
+    }
+    if (row.node) fs::create_symlink("/bin/true", bin / "node");
+    ::setenv("PATH", bin.c_str(), 1);
+    const auto reason = missing(parse_engine("rapier", default_engines(folder.path())).row);
+    ::setenv("PATH", usual_path.c_str(), 1);
+    EXPECT_EQ(!reason, row.here) << row.worker << row.package << row.node;
+    EXPECT_EQ(reason.value_or("rapier is not here; `./run engines` brings it"),
+              "rapier is not here; `./run engines` brings it");
+  }
 }
 
 }  // namespace

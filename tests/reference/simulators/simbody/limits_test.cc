@@ -38,7 +38,8 @@ TEST(SimbodyLimits, CloseLoopsByFourKinds) {
                     full(row.type, 2, 0)};
     const auto reason = simbody_limit(scene);
     EXPECT_EQ(!reason.has_value(), row.closes) << core::kind_of(row.type).name;
-    if (reason) EXPECT_NE(reason->find("closes a loop"), std::string::npos) << *reason;
+    EXPECT_TRUE(row.closes || reason.value_or("").find("closes a loop") != std::string::npos)
+        << reason.value_or("");
   }
 }
 

@@ -6,7 +6,7 @@ import { load } from '../bundle_for_test.mjs';
 
 const { aligned, extremes, floorOf, nearest } = await load('shared/plot_data.ts');
 const { boundsOf, extent, framed, parting } = await load('report/cell/divergence.ts');
-const { join, isDrawn } = await load('report/trade/join.ts');
+const { buildsOf, join, isDrawn } = await load('report/trade/join.ts');
 const { logAxis } = await load('report/trade/axis.ts');
 const { fittingSpeed } = await load('report/cell/player.ts');
 const { TimeCursor } = await load('shared/plot_cursor.ts');
@@ -83,6 +83,7 @@ const table = {
   series: [
     {
       engine: 'a',
+      version: '2.1',
       integrator: 'rk4',
       points: [
         {
@@ -105,6 +106,7 @@ const table = {
     },
     {
       engine: 'b',
+      version: '0.9',
       integrator: 'rk4',
       points: [
         {
@@ -166,6 +168,20 @@ test('by another measure the front is found anew', () => {
     [true, false],
   );
   assert.equal(b.points[0].onFront, true);
+});
+
+test('what another build runs is on a front of its own', () => {
+  const moved = structuredClone(table);
+  moved.series[1].version = '0.9 (WebAssembly in Node 20.20.2)';
+  const list = join({ times }, moved, 'energy');
+  assert.deepEqual(buildsOf(list), ['', 'WebAssembly in Node 20.20.2']);
+  assert.deepEqual(
+    list.map((s) => s.points.map((p) => p.onFront)),
+    [
+      [true, true],
+      [true, false],
+    ],
+  );
 });
 
 test('a logarithmic axis ends at decades that hold all values', () => {

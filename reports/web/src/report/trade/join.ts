@@ -29,6 +29,17 @@ function key(engine: string, integrator: string, dtText: string, tolerance: numb
   return [engine, integrator, dtText, tolerance ?? ''].join('\u0000');
 }
 
+/** What runs an engine that is no native code, as its version says in brackets: "WebAssembly in Node 20.20.2"; ''.  Costs of two
+ * builds do not compare (harness/results/build.h). */
+export function buildOf(version: string): string {
+  return / \((.*)\)$/.exec(version)?.[1] ?? '';
+}
+
+/** The builds of a sweep, that of native code first. */
+export function buildsOf(list: Series[]): string[] {
+  return [...new Set(list.map((s) => buildOf(s.of.version)))].sort();
+}
+
 export function isDrawn(p: Point): boolean {
   return p.error !== null && p.cost !== null && p.error > 0 && p.cost > 0;
 }
@@ -71,7 +82,9 @@ export function join(trade: Trade, table: Table, measure: string): Series[] {
       };
     }),
   }));
-  if (measure !== table.by) markFront(list.flatMap((s) => s.points));
+  if (measure !== table.by)
+    for (const build of buildsOf(list))
+      markFront(list.filter((s) => buildOf(s.of.version) === build).flatMap((s) => s.points));
   return list;
 }
 

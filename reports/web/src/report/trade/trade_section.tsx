@@ -5,7 +5,7 @@ import type { Index, Trade, Verdict } from '../../shared/documents';
 import { go, useAddress } from '../address';
 import { count, short } from '../numbers';
 import { visible } from '../visible';
-import { isDrawn, join, type Measure, type Series, type Table } from './join';
+import { buildOf, buildsOf, isDrawn, join, type Measure, type Series, type Table } from './join';
 import { Legend, SettingsTable } from './tables';
 import { TradePlot } from './trade_plot';
 
@@ -53,6 +53,12 @@ function describe(list: Series[]): string {
   return `Error against cost. ${best.join('. ')}.`;
 }
 
+function frontCaption(build: string): string {
+  return build === ''
+    ? 'Pareto front: no other setting is both faster and more accurate'
+    : `Pareto front of ${visible(build)}: none of these is both faster and more accurate`;
+}
+
 function Plot({ index, entry }: { index: Index; entry: Entry }) {
   const { measure: wanted, hide = '' } = useAddress();
   const { trade, table } = entry;
@@ -70,6 +76,7 @@ function Plot({ index, entry }: { index: Index; entry: Entry }) {
   };
   const points = list.flatMap((s) => s.points).sort((a, b) => (a.cost ?? Infinity) - (b.cost ?? Infinity));
   const lost = points.filter((p) => !isDrawn(p));
+  const builds = buildsOf(list);
   return (
     <>
       <label>
@@ -87,7 +94,8 @@ function Plot({ index, entry }: { index: Index; entry: Entry }) {
         Truth: {visible(table.truth || 'none')}; {short(table.duration)} s,{' '}
         {count(table.bodies, 'body', 'bodies')}.
         Ringed (the Pareto front): no other setting is both faster and more accurate
-        {measure.name === table.by ? '.' : ' by this measure.'}
+        {measure.name === table.by ? '' : ' by this measure'}
+        {builds.length > 1 ? ', of those that are run by the same; costs of others do not compare.' : '.'}
         {lost.length > 0
           ? ` ${count(lost.length, 'setting')} cannot be drawn, because the error is 0 or not finite, or because no ` +
             'time was measured. The last table lists them.'
@@ -101,11 +109,16 @@ function Plot({ index, entry }: { index: Index; entry: Entry }) {
         label={describe(list)}
       />
       <Legend list={list} hidden={hidden} toggle={toggle} />
-      <SettingsTable
-        list={list}
-        points={points.filter((p) => isDrawn(p) && p.onFront)}
-        caption="Pareto front: no other setting is both faster and more accurate"
-      />
+      {builds.map((build) => (
+        <SettingsTable
+          key={build}
+          list={list}
+          points={points.filter(
+            (p) => isDrawn(p) && p.onFront && buildOf(list[p.series]!.of.version) === build,
+          )}
+          caption={frontCaption(build)}
+        />
+      ))}
       <SettingsTable
         list={list}
         points={points.filter((p) => isDrawn(p) && !p.onFront)}
