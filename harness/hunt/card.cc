@@ -165,10 +165,7 @@ std::string markdown(const Card& card, const std::string& after) {
   if (!card.opinions.empty()) {
     text += "| engine | the same scene |\n|---|---|\n";
     for (const Opinion& o : card.opinions)
-      text += fmt::format("| {} | {} |\n", o.engine,
-                          o.refuses  ? "refused"
-                          : o.faulty ? "the same fault"
-                                     : "no fault");
+      text += fmt::format("| {} {} | {} |\n", o.engine, o.version, o.says());
     text += '\n';
   }
   text += after;

@@ -13,9 +13,12 @@ namespace cylon::hunt {
 
 /// What another engine does with the card's scene.
 struct Opinion {
-  std::string engine;
+  std::string engine, version;
   bool refuses = false;
   bool faulty = false;  ///< It has the same fault.
+
+  /// "refused", "the same fault", "no fault".
+  std::string_view says() const { return refuses ? "refused" : faulty ? "the same fault" : "no fault"; }
 };
 
 struct Card {

@@ -340,10 +340,15 @@ class Examination {
 
 }  // namespace
 
-bool refuses(const Trial& trial, const process::EngineChoice& engine, const process::Limits& limits) {
+process::RunOutcome first_step(const Trial& trial, const process::EngineChoice& engine,
+                               const process::Limits& limits) {
   process::RunRequest request;
   request.scene = &trial.scene, request.setup.dt = trial.step, request.steps = 1;
-  return process::run(engine, request, limits).status == Status::unsupported;
+  return process::run(engine, request, limits);
+}
+
+bool refuses(const Trial& trial, const process::EngineChoice& engine, const process::Limits& limits) {
+  return first_step(trial, engine, limits).status == Status::unsupported;
 }
 
 std::vector<Fault> examine(const Trial& trial, const process::EngineChoice& engine,

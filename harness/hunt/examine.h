@@ -32,6 +32,9 @@ struct Only {
   Kind kind = Kind::every_step;
 };
 
+/// A run of one step.  Throws what process::run throws.
+process::RunOutcome first_step(const Trial&, const process::EngineChoice&, const process::Limits&);
+
 /// Whether the engine refuses the scene.
 bool refuses(const Trial&, const process::EngineChoice&, const process::Limits&);
 

@@ -132,9 +132,11 @@ class Shrinkery {
 };
 
 Opinion opinion_of(const EngineChoice& engine, const Card& card, const process::Limits& limits) {
-  if (refuses(card.trial, engine, limits)) return {engine.id, true, false};
-  const Broken broken{card.fault.oracle, card.fault.kind};
-  return {engine.id, false, fault_of(card.trial, engine, limits, broken).has_value()};
+  const process::RunOutcome first = first_step(card.trial, engine, limits);
+  Opinion opinion{engine.id, first.engine.version, first.status == results::Status::unsupported, false};
+  if (!opinion.refuses)
+    opinion.faulty = fault_of(card.trial, engine, limits, {card.fault.oracle, card.fault.kind}).has_value();
+  return opinion;
 }
 
 }  // namespace

@@ -57,12 +57,24 @@ std::optional<mutants::Subject> right_of(const mutants::Subject& subject) {
   return std::nullopt;
 }
 
+// What a right simulator is known to do wrong, and is not counted again.
+struct Known {
+  std::string_view simulator, oracle, why;
+};
+constexpr Known known[] = {
+    {"the seed's engine, put right", "penetration", "a ball that rests on a slope sinks: docs/hunt.md"}};
+
+bool is_known(const std::string& simulator, const std::string& oracle) {
+  return std::ranges::any_of(
+      known, [&](const Known& one) { return one.simulator == simulator && one.oracle == oracle; });
+}
+
 // Stops handing out scenes once one has a fault that the right simulator does not have there.
 class First final : public hunt::Memory {
  public:
-  First(const hunt::Source& source, const std::optional<mutants::Subject>& right,
+  First(const std::string& subject, const hunt::Source& source, const std::optional<mutants::Subject>& right,
         const process::Limits& limits)
-      : source_(source), right_(right), limits_(limits) {}
+      : subject_(subject), source_(source), right_(right), limits_(limits) {}
 
   std::optional<hunt::Hit> asked(std::uint64_t) override { return std::nullopt; }
   void note(const hunt::Hit& hit) override {
@@ -75,6 +87,7 @@ class First final : public hunt::Memory {
         return std::ranges::any_of(also, [&](const hunt::Fault& f) { return f.oracle == broken.oracle; });
       });
     }
+    std::erase_if(own.broken, [&](const hunt::Broken& one) { return is_known(subject_, one.oracle); });
     if (!own.broken.empty()) found = std::move(own);
   }
   std::optional<hunt::Trial> least(const std::string&) override { return std::nullopt; }
@@ -82,6 +95,7 @@ class First final : public hunt::Memory {
   std::optional<hunt::Hit> found;
 
  private:
+  const std::string& subject_;
   const hunt::Source& source_;
   const std::optional<mutants::Subject>& right_;
   const process::Limits& limits_;
@@ -93,7 +107,7 @@ int hunt_for(const mutants::Subject& subject, std::map<std::string, double> aske
   quarry.limits.run_seconds = 20, quarry.jobs = static_cast<int>(asked["--jobs"]);
   const hunt::Source source(static_cast<std::uint64_t>(asked["--seed"]));
   const std::optional<mutants::Subject> right = right_of(subject);
-  First first(source, right, quarry.limits);
+  First first(subject.name, source, right, quarry.limits);
   quarry.memory = &first;
   const auto start = std::chrono::steady_clock::now();
   const auto more = [&](std::uint64_t begun) {

@@ -244,7 +244,7 @@ int hunt_all(const Context& context, const Options& options) {
   std::vector<process::EngineChoice> engines, others;
   for (const std::string& id : options.engines) engines.push_back(process::parse_engine(id, rows));
   for (const process::EngineRow& row : rows)
-    if (!row.optional()) others.push_back(process::parse_engine(row.id, rows));
+    if (!process::missing(row)) others.push_back(process::parse_engine(row.id, rows));
   hunt::Source source(options.seed);
   if (!options.scenes.empty()) {
     std::vector<hunt::Base> from = bases(context, options.scenes);

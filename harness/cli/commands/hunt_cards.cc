@@ -53,10 +53,7 @@ ordered_json document(const std::vector<WrittenCard>& all) {
                           {"error", std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr)}});
     }
     for (const hunt::Opinion& o : card.opinions)
-      opinions.push_back({{"engine", o.engine},
-                          {"says", o.refuses  ? "refused"
-                                   : o.faulty ? "the same fault"
-                                              : "no fault"}});
+      opinions.push_back({{"engine", o.engine}, {"version", o.version}, {"says", o.says()}});
     ordered_json one = {
         {"name", card.file_stem()},
         {"engine", card.engine},

@@ -443,6 +443,7 @@ TEST(Cards, AreScenariosWhoseClaimFails) {
     EXPECT_EQ(replay(kept, engine("in-house"), {}).what, Replayed::What::fixed);
     ASSERT_EQ(card.opinions.size(), 1u);
     EXPECT_FALSE(card.opinions[0].faulty) << text;
+    EXPECT_FALSE(card.opinions[0].version.empty());
     for (const char* part : {"What should happen", "in-house", "```toml", "cylon "})
       EXPECT_NE(markdown(card).find(part), std::string::npos) << part;
   }
