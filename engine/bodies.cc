@@ -35,7 +35,10 @@ Bodies::Bodies(Model model, bool account)
     return !(asked & not_affine).empty();
   });
   int rows = 0;
-  for (const Joint& joint : model_.joints) rows += row_count(joint.type);
+  for (const Joint& joint : model_.joints) {
+    rows += row_count(joint.type);
+    arm_ = std::max({arm_, joint.anchor.norm(), joint.to == fixed_world ? 0 : joint.to_anchor.norm()});
+  }
   rows_.rows.reserve(static_cast<std::size_t>(rows));
   change_.resize(static_cast<std::size_t>(rows));
   const std::vector<char> turning = bodies_that_turn(model_);
@@ -450,7 +453,10 @@ void Bodies::scales(const Real* y, Real* scale) {
   Real at_rest = model_.joints.empty() ? 0 : std::sqrt(model_.strongest_gravity() * length_);
   const Real shaken = std::sqrt(epsilon * pull_ * length_);
   if (at_rest == 0 && speed_ > 0 && speed_ < shaken) at_rest = std::sqrt(pull_ * length_);
-  const Real speed = std::max(speed_, at_rest);
+  // And what turns on a joint about its own centre moves by the rounding of its rim's speed alone.
+  const auto or_rounding_of = [](Real whole, Real x) { return x < 1000 * epsilon * whole ? whole : x; };
+  const Real speed = or_rounding_of(turn_ * arm_, std::max(speed_, at_rest));
+  const Real length = or_rounding_of(arm_, length_);
   const Real turn = std::max(turn_, length_ > 0 ? at_rest / length_ : 0);
   Real passed_on = 0;
   if (!model_.joints.empty())
@@ -460,7 +466,7 @@ void Bodies::scales(const Real* y, Real* scale) {
   scale += extras_;
   for (std::size_t i = 0; i < count_; ++i, scale += motion_size) {
     const Body& body = model_.bodies[i];
-    std::fill(scale, scale + 3, or_one(length_));
+    std::fill(scale, scale + 3, or_one(length));
     std::fill(scale + 3, scale + 6, or_one(body.mass * speed));
     std::fill(scale + 6, scale + 10, Real(1));
     const Real inertia = body.inertia.diagonal().maxCoeff();

@@ -125,6 +125,7 @@ class Bodies {
   std::vector<Real> powers_, change_;
   Real length_ = 0, speed_ = 0, turn_ = 0;  // the largest that scales() has seen, as are
   std::vector<Real> spin_;                  // |L| of each body
+  Real arm_ = 0;                            // From a centre of mass to a joint, the longest [m].
   Real pull_ = 0;                           // The largest |F|/m that joints have had to take up [m/s^2].
   Rows rows_;
   Holder* holder_ = nullptr;
