@@ -66,6 +66,7 @@ Assembly assemble(std::span<const TouchPoint> touches, std::span<const Row> join
   for (std::size_t i = 0; i < rows.size(); ++i) {
     a.free[static_cast<Eigen::Index>(i)] = free_acceleration(rows[i], now);
   }
+  a.frames.reserve(touches.size()), a.slips.reserve(touches.size());
   for (std::size_t i = 0; i < touches.size(); ++i) {
     const Eigen::Index row = 3 * static_cast<Eigen::Index>(i);
     const Vector3 drift = drift_of_slip(touches[i], now);
@@ -82,11 +83,13 @@ Assembly assemble(std::span<const TouchPoint> touches, std::span<const Row> join
 
 Vector2 tangent(const Matrix3& frame, const Vector3& v) { return {frame.col(1).dot(v), frame.col(2).dot(v)}; }
 
-ContactForces report(const Assembly& a, std::span<const TouchPoint> touches, const std::vector<Hold>& holds,
+// Takes the rows.
+ContactForces report(Assembly& a, std::span<const TouchPoint> touches, const std::vector<Hold>& holds,
                      const VectorX& force) {
   ContactForces support;
   support.multipliers = a.response.multipliers(a.free, force);
-  support.rows = a.response.rows();
+  support.rows = a.response.take_rows();
+  support.points.reserve(touches.size());
   const VectorX rate = a.problem.response * force + a.problem.offset;
   for (std::size_t i = 0; i < touches.size(); ++i) {
     const Eigen::Index n = 3 * static_cast<Eigen::Index>(i);
