@@ -61,7 +61,9 @@ constexpr const char* of_siconos = "siconos_s2.json";
 constexpr const char* of_wasm = "wasm_s1_s12.json";
 constexpr const char* of_wasm_contacts = "wasm_s10_s11.json";
 
-Vector3 vector(const json& at) { return {at.at(0), at.at(1), at.at(2)}; }
+Vector3 vector(const json& at) {
+  return {at.at(0).get<double>(), at.at(1).get<double>(), at.at(2).get<double>()};
+}
 
 std::vector<Number> published(const std::string& name) {
   std::ifstream file(source("tests/data/published/" + name));
