@@ -108,6 +108,20 @@ ContactForces report(Assembly& a, std::span<const TouchPoint> touches, const std
   return support;
 }
 
+// Slip that counts as none is left in the velocities until they are projected, and turns with the bodies: w x u.  Where
+// points hold a body more often than it can move, the accelerations that keep them do not go together by as much.
+Real drift_of_rest(const Assembly& a, std::span<const TouchPoint> touches, const Instant& now) {
+  Real sum = 0;
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    if (touches[i].row || a.problem.hold[i].given) continue;
+    Real turn = now.kinematics[index(touches[i].body)].angular_velocity.norm();
+    if (touches[i].other != fixed_world)
+      turn += now.kinematics[index(touches[i].other)].angular_velocity.norm();
+    sum += turn * a.slips[i].norm();
+  }
+  return sum;
+}
+
 // The shares of the holdings as the start of the problem's forces, if there are any.
 void start_from(CoulombProblem& problem, const std::vector<Matrix3>& frames,
                 std::span<const Holding> holdings) {
@@ -211,6 +225,7 @@ ContactForces find_contact_forces(std::span<const TouchPoint> touches, std::span
                                   : parts                                    ? Grip::parts
                                                                              : Grip::slides;
   }
+  a.problem.error.assign(touches.size(), drift_of_rest(a, touches, now));
   start_from(a.problem, a.frames, guess);
   a.problem.most_sweeps = 200;
   CoulombSolution solution = solve(a.problem);

@@ -16,7 +16,7 @@ Real slip_edge(const CoulombProblem& p, std::size_t i, Real normal) {
   return p.bound_of(i) + p.friction[i] * normal;
 }
 
-// Rounding of f and u: the largest of each point's terms, with room for the sums over all points.
+// Rounding of f and u: the largest of each point's terms, with room for the sums over all points; of u with its error.
 struct Rounding {
   VectorX force, rate;  // per point
 };
@@ -30,7 +30,7 @@ Rounding rounding(const CoulombProblem& p, const VectorX& f) {
     const auto rows = p.response.middleRows<3>(first_row(i));
     const Real u = rows.cwiseAbs().rowwise().sum().maxCoeff() * (f.size() ? f.cwiseAbs().maxCoeff() : 0) +
                    p.offset.segment<3>(first_row(i)).norm();
-    r.rate[static_cast<Eigen::Index>(i)] = std::max(scale * u, least);
+    r.rate[static_cast<Eigen::Index>(i)] = std::max(scale * u, least) + p.error_of(i);
     const Real a = p.response.diagonal().segment<3>(first_row(i)).maxCoeff();
     if (a > 0)
       largest = std::max(
@@ -371,6 +371,7 @@ CoulombSolution solve(const CoulombProblem& p) {
   scaled.response = s.asDiagonal() * p.response * s.asDiagonal();
   scaled.offset = s.cwiseProduct(p.offset);
   for (std::size_t i = 0; i < p.bound.size(); ++i) scaled.bound[i] /= s[first_row(i)];
+  for (std::size_t i = 0; i < p.error.size(); ++i) scaled.error[i] *= s[first_row(i)];
   scaled.start.resize(0);
   Counter counter{static_cast<std::int64_t>(p.friction.size())};
   if (!p.guess.empty()) {

@@ -213,7 +213,7 @@ TEST(PublishedNumbers, FewAreNotReproduced) {
   expect(of_dart, 39, 1);
   expect(of_siconos, 3, 1);
   expect(of_wasm, 258, 26);
-  expect(of_contacts, 68, 14);
+  expect(of_contacts, 68, 18);
   expect(of_wasm_contacts, 56, 23);
 }
 
