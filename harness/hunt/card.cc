@@ -73,6 +73,10 @@ std::string reason(const Fault& fault) {
       return "The error does not fall at the steps above, though the last of them resolves every rate of the "
              "scene. At "
              "a 64th of the step it falls, so that it is truncation in the end.";
+    case Kind::erratic:
+      return "The right motion has no error of a step here, however large the step. The error rises and "
+             "falls "
+             "as the step is halved, and is as large at the finest steps.";
   }
   return "";
 }
