@@ -62,7 +62,8 @@ std::string reason(const Fault& fault) {
              "slowly than "
              "that, or is larger.";
     case Kind::coarse_step:
-      return "The fault is of the coarse step alone: half the step shows none. It falls faster than the "
+      return "The fault is of the coarse step alone: half the step, or a quarter, shows none. It falls "
+             "faster than the "
              "error of a "
              "scheme of the stated order can, and the step resolves every rate of the scene, so that it is "
              "neither "

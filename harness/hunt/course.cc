@@ -97,9 +97,12 @@ bool Course::keeps_own_promise(double truth_error) const {
 bool Course::keeps_coarse_step() const {
   const double now = measured_[count_ - 1];
   if (!expected_.smooth || !expected_.resolved || !std::isfinite(now)) return false;
-  if (count_ == 1) return now > 10 * allowed_ && (relative_ == 0 || now <= allowed_ / relative_);
-  if (count_ == 2 && !(left() < std::exp2(-expected_.promise.order - beyond_any_order))) return false;
-  return now <= allowed_;
+  if (relative_ > 0 && now > allowed_ / relative_) return false;
+  const bool shows = now > 10 * allowed_;
+  if (count_ == 1) return shows;
+  if (measured_[count_ - 2] <= allowed_) return now <= allowed_;  // gone before
+  if (shows) return count_ == 2;
+  return now <= allowed_ && left() < std::exp2(-expected_.promise.order - beyond_any_order);
 }
 
 bool Course::is_erratic() const {

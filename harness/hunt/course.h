@@ -9,7 +9,7 @@
 //                     by C dt^p: a fault falls by less than 2^-(p - 1/2) three times, while it is small against the
 //                     motion.  One that bounds its error by a tolerance errs by no more than
 //                     promised = 10 tolerance (what the motion makes of it), and is held to ten times that.
-//   coarse step alone e > 10 allowed at dt, within allowed at dt/2 and dt/4, and less than 2^-(p + 4) of it at dt/2:
+//   coarse step alone e > 10 allowed at dt, perhaps at dt/2, then within allowed at once and less than 2^-(p + 4) of what it was:
 //                     no scheme of order p falls so fast.  Of smooth motions whose rates the step resolves: an unstable
 //                     scheme does the same, and its remedy is a smaller step.
 //   fine steps alone  Where bodies touch: e > 10 allowed at dt/8 and dt/16, and not at dt.  Truncation does not rise.

@@ -32,7 +32,8 @@ void add_pair_of_all(Scene& scene, double restitution, double friction) {
 void make_spin(Dice& dice, Scene& scene) {
   if (dice.one_in(2)) {
     Body& ball = add_body(scene, core::Sphere{dice.between(0.1, 0.4)}, some_mass(dice), Vector3::Zero());
-    return set_moving(dice, ball, 1, 150);
+    ball.initial.angular_velocity = dice.vector(100);
+    return;
   }
   const core::Box box{{dice.between(0.1, 0.15), dice.between(0.2, 0.25), dice.between(0.3, 0.4)}};
   Body& body = add_body(scene, box, dice.between(0.5, 3), Vector3::Zero());

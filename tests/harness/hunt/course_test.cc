@@ -98,6 +98,9 @@ TEST(Course, HoldsAnIntegratorToItsTolerance) {
 TEST(Course, TellsAFaultOfTheCoarseStep) {
   const auto clamp = [](int k) { return k == 0 ? 0.5 : 1e-12; };
   EXPECT_EQ(fault(of_order(1), clamp), Kind::coarse_step);
+  // A clamp of turns that half the step exceeds, too; not one that a quarter does: the steps left do not tell.
+  EXPECT_EQ(fault(of_order(1), [](int k) { return k < 2 ? 0.5 : 1e-12; }), Kind::coarse_step);
+  EXPECT_FALSE(fault(of_order(1), [](int k) { return k < 3 ? 0.5 / (1 << k) : 1e-12; }));
   EXPECT_FALSE(fault(of_order(1), falling(0.5, 3)));
   Expected stiff = of_order(1);
   stiff.resolved = false;

@@ -30,7 +30,7 @@ constexpr WeakSpot spots[] = {
     {"BulletBouncesTooLow", make_drop, 0.01, 60, "bullet/path=as-shipped", "rebound", Kind::fine_step, 30},
     {"BulletGivesEnergy", make_blow, 0.01, 60, "bullet/path=as-shipped", "energy", Kind::erratic, 30},
     {"OdeBrakesByAPyramid", make_slide, 0.01, 60, "ode", "slide", Kind::every_step, 30},
-    {"OdeDrainsASpin", make_spin, 0.01, 1000, "ode", "energy", Kind::every_step, 30},
+    {"OdeDrainsASpin", make_spin, 0.01, 1000, "ode", "energy", Kind::slow, 30},
     {"OdeDropsStacks", make_tower, 0.01, 40, "ode", "rest", Kind::erratic, 30},
     {"OdeLetsHittersThrough", make_cradle, 0.01, 60, "ode", "penetration", Kind::every_step, 30},
 };
