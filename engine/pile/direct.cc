@@ -10,9 +10,6 @@ namespace cylon::engine::pile {
 namespace {
 
 constexpr int most_rounds = 60, patience = 6, plain_rounds = 2, most_cuts = 20;
-// Where rounds no longer help, rows get ten times as stiff, so often.
-constexpr int most_stiffenings = 8;
-constexpr double stiffening = 10, most_stiff = 1e4;
 // A row that is stiff on one side only makes the function all edges, and a step of Newton's ends at the next
 // one: 67 where a pyramid under 300 times its boxes' mass is built up.  A round that is cut off before its
 // least value gives impulses that balance nothing, and the next one runs away from them.
@@ -314,8 +311,7 @@ bool Direct::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, 
   for (Row& row : rows_)
     row.limit = static_cast<double>(row.block->friction) * std::max(row.n.dot(row.lambda), 0.);
   double allowed = 0, best = std::numeric_limits<double>::infinity();
-  int best_round = 0, stiffenings = 0;
-  double stiff = 1;
+  int best_round = 0;
   for (int round = 0;; ++round) {
     velocities_of_impulses();
     forces(v_, false);
@@ -351,22 +347,8 @@ bool Direct::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, 
     if (residual_ <= allowed || round == most_rounds || !(round < best_round + patience) ||
         (!helps && residual_ <= 100 * allowed))
       break;
-    // Four corners of a face, of which one presses less than it seems to, go on at a pace of the violation times the
-    // stiffness, and bodies on long arms resist angular rows by more than their inertia.  Stiffer rows end both.  Where
-    // those only add rounding, rows are as they were.
-    const bool worse = stiff > 1 && residual_ > 4 * best;
-    const bool stiffer =
-        !helps && !worse && round > plain_rounds && stiffenings < most_stiffenings && stiff < most_stiff;
-    const bool softer = stiff > 1 && !helps && !stiffer;
-    if (stiffer) ++stiffenings;
-    if (stiffer || softer) best_round = round;
-    if (stiffer || softer) {
-      const double factor = stiffer ? stiffening : 1 / stiff;
-      for (Row& row : rows_) row.stiffness *= factor;
-      stiff *= factor;
-    }
     if (round < plain_rounds || !couple()) minimise();
-    take(round > plain_rounds + 1 && !stiffer && !softer);
+    take(round > plain_rounds + 1);
   }
   if (!(residual_ <= best) || !std::isfinite(residual_)) {
     for (Row& row : rows_) row.lambda = row.best;
