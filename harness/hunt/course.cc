@@ -97,7 +97,7 @@ bool Course::keeps_own_promise(double truth_error) const {
 bool Course::keeps_coarse_step() const {
   const double now = measured_[count_ - 1];
   if (!expected_.smooth || !expected_.resolved || !std::isfinite(now)) return false;
-  if (relative_ > 0 && now > allowed_ / relative_) return false;
+  if (relative_ > 0 && now > expected_.largest * allowed_ / relative_) return false;
   const bool shows = now > 10 * allowed_;
   if (count_ == 1) return shows;
   if (measured_[count_ - 2] <= allowed_) return now <= allowed_;  // gone before

@@ -44,6 +44,7 @@ struct Expected {
   bool resolved = false;  ///< The step resolves all rates of the scene.
   double rounding =
       0;  ///< Below this part of the scale nothing is said of orders: 1e-7, in single precision 1e-4.
+  double largest = 1;     ///< Of the scale: a larger error of a coarse step is an unstable scheme's.
   bool stepless = false;  ///< A step makes no error of it, however large.
 };
 

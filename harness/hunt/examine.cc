@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -95,6 +96,7 @@ class Examination {
     Expected expected = expected_;
     expected.smooth = expected.smooth && !oracle.of_steps;
     expected.resolved = expected.resolved && !oracle.one_sided;
+    if (oracle.of_angle) expected.largest = std::numbers::pi;  // of a radian: an angle is no larger
     expected.stepless = oracle.stepless_in && oracle.stepless_in(trial_.scene);
     Asked one = asked(oracle.name, oracle.says, oracle.why, oracle.relative);
     one.course = Course(expected, oracle.relative);

@@ -201,6 +201,18 @@ Reason no_box_that_slides(const Scene& scene) {
   return {};
 }
 
+// Free balls: their axes stay, and their rates.
+Reason no_free_balls(const Scene& scene) {
+  if (scene.frame || !scene.joints.empty() || may_touch(scene)) return "not free bodies";
+  for (const core::Body& body : scene.bodies)
+    if (body.locked || !std::holds_alternative<core::Sphere>(body.shape) ||
+        !body.inertia.isApprox(body.inertia(0, 0) * core::Matrix3::Identity(), 1e-12))
+      return "not balls alone";
+  for (const core::Force& force : scene.forces)
+    if (!std::holds_alternative<core::UniformGravity>(force)) return "not gravity alone";
+  return {};
+}
+
 // Forces of joints; of contacts they are told of an instant of the step.
 Reason no_balance(const Scene& scene) {
   if (const Reason why = no_joints(scene)) return why;
@@ -284,6 +296,13 @@ constexpr std::array all = {
            no_box_that_slides,
            {},
            read_slide},
+    Oracle{.name = "spin",
+           .says = "a ball that no torque turns turns evenly",
+           .relative = 1e-3,
+           .why = rounding_and_a_decade,
+           .undefined_in = no_free_balls,
+           .read = read_spin,
+           .of_angle = true},
     Oracle{"locked", "what is locked does not move", 1e-6, "single precision", no_locked, {}, read_locked},
     Oracle{.name = "speed",
            .says = "no speed is above what the forces can give",

@@ -104,6 +104,20 @@ std::optional<Reading> read_rebound(const core::Scene& scene, const core::Record
   return Reading{std::abs(energy(run.states[sample][0]) - e * e * before), before, "m^2/s^2"};
 }
 
+std::optional<Reading> read_spin(const core::Scene& scene, const core::Recording& run) {
+  double farthest = 0;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const core::BodyState& start = scene.bodies[i].initial;
+    const double rate = start.angular_velocity.norm();
+    const Vector3 axis = rate > 0 ? Vector3(start.angular_velocity / rate) : Vector3(Vector3::UnitX());
+    for (std::size_t k = 0; k < run.states.size(); ++k) {
+      const core::Quaternion turned(Eigen::AngleAxisd(rate * run.time(k), axis));
+      farthest = std::max(farthest, run.states[k][i].orientation.angularDistance(turned * start.orientation));
+    }
+  }
+  return Reading{farthest, 1, "rad"};
+}
+
 std::optional<Reading> read_statics(const core::Scene& scene, const core::Recording& run) {
   if (!run.contacts) return std::nullopt;
   std::vector<Vector3> impulse(scene.bodies.size(), Vector3::Zero());

@@ -24,4 +24,7 @@ std::optional<Reading> read_rebound(const core::Scene&, const core::Recording&);
 /// t = v/(mu g) on.  Its farthest place from that, of the way that it goes [m].
 std::optional<Reading> read_slide(const core::Scene&, const core::Recording&);
 
+/// Of balls that no torque turns: how far each is from the turn w t that its first angular velocity makes.
+std::optional<Reading> read_spin(const core::Scene&, const core::Recording&);
+
 }  // namespace cylon::hunt

@@ -227,6 +227,8 @@ std::vector<Refusal> refusals() {
               s.forces.emplace_back(core::Drag{0, 0.3, 0, 0});
             })},
       {"havok/path=stand-in", "Body 'a': Havok has no disc.", soft(core::Disc{0.3})},
+      {"havok/path=stand-in", "Havok takes no limit of LINEAR_DISTANCE",
+       jointed(core::JointType::distance, 0, 1)},
       {"havok/path=stand-in", "Body 'a': Havok has no cone.", soft(core::Cone{0.1, 0.3})},
       {"havok/path=stand-in", "Havok collides a mesh as a surface", soft(tetrahedron)},
       {"havok/path=stand-in", "Havok needs a mass above zero that float precision holds; 'a' has 1e-46 kg.",

@@ -292,25 +292,21 @@ class World {
     if (first.locked && (!second || second.locked)) return;
     const A = H.ConstraintAxis, linear = [A.LINEAR_X, A.LINEAR_Y, A.LINEAR_Z];
     const locked = {
-      ball: linear, hinge: [...linear, A.ANGULAR_Y, A.ANGULAR_Z], fixed: [...linear, A.ANGULAR_X, A.ANGULAR_Y, A.ANGULAR_Z], distance: [],
+      ball: linear, hinge: [...linear, A.ANGULAR_Y, A.ANGULAR_Z], fixed: [...linear, A.ANGULAR_X, A.ANGULAR_Y, A.ANGULAR_Z],
     }[joint.type];
+    if (joint.type === 'distance')
+      throw new Unsupported('Havok takes no limit of LINEAR_DISTANCE (HP_Constraint_SetAxisMode answers RESULT_INVALIDARGS): it keeps no distance.');
     if (!locked) throw new Unsupported(`Havok's adapter knows no joint '${joint.type}'.`);
     const made = got(H, H.HP_Constraint_Create());
     this.constraints.push(made);
     const x = joint.axis ? scale(1 / norm(joint.axis), joint.axis) : [1, 0, 0], y = joint.axis ? across(x) : [0, 1, 0];
-    const ends = joint.type === 'distance' ? [second?.position ?? joint.point, first.position] : [joint.point, joint.point];
     const turned = (body, v) => rotate(conjugate(body.orientation), v);
     const anchor = (body, place) => [turned(body, sub(place, body.position)), turned(body, x), turned(body, y)];
     got(H, H.HP_Constraint_SetParentBody(made, second ? this.bodies[joint.to] : this.ground()));
     got(H, H.HP_Constraint_SetChildBody(made, this.bodies[joint.body]));
-    got(H, H.HP_Constraint_SetAnchorInParent(made, ...anchor(second ?? origin, ends[0])));
-    got(H, H.HP_Constraint_SetAnchorInChild(made, ...anchor(first, ends[1])));
+    got(H, H.HP_Constraint_SetAnchorInParent(made, ...anchor(second ?? origin, joint.point)));
+    got(H, H.HP_Constraint_SetAnchorInChild(made, ...anchor(first, joint.point)));
     for (const axis of locked) got(H, H.HP_Constraint_SetAxisMode(made, axis, H.ConstraintAxisLimitMode.LOCKED));
-    if (joint.type === 'distance') {
-      got(H, H.HP_Constraint_SetAxisMode(made, A.LINEAR_DISTANCE, H.ConstraintAxisLimitMode.LIMITED));
-      got(H, H.HP_Constraint_SetAxisMinLimit(made, A.LINEAR_DISTANCE, joint.length));
-      got(H, H.HP_Constraint_SetAxisMaxLimit(made, A.LINEAR_DISTANCE, joint.length));
-    }
     got(H, H.HP_Constraint_SetEnabled(made, 1));
   }
 

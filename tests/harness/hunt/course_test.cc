@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace cylon::hunt {
 namespace {
@@ -98,6 +99,12 @@ TEST(Course, HoldsAnIntegratorToItsTolerance) {
 TEST(Course, TellsAFaultOfTheCoarseStep) {
   const auto clamp = [](int k) { return k == 0 ? 0.5 : 1e-12; };
   EXPECT_EQ(fault(of_order(1), clamp), Kind::coarse_step);
+  // An angle is no larger than half a turn, however many turns were lost: no sign of an unstable scheme.
+  const auto lost = [](int k) { return k == 0 ? 3.1 * scale : 1e-12; };
+  Expected turns = of_order(1);
+  EXPECT_FALSE(fault(turns, lost));
+  turns.largest = std::numbers::pi;
+  EXPECT_EQ(fault(turns, lost), Kind::coarse_step);
   // A clamp of turns that half the step exceeds, too; not one that a quarter does: the steps left do not tell.
   EXPECT_EQ(fault(of_order(1), [](int k) { return k < 2 ? 0.5 : 1e-12; }), Kind::coarse_step);
   EXPECT_FALSE(fault(of_order(1), [](int k) { return k < 3 ? 0.5 / (1 << k) : 1e-12; }));

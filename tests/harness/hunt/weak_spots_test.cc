@@ -26,7 +26,7 @@ struct WeakSpot {
 };
 
 constexpr WeakSpot spots[] = {
-    {"BulletClampsTurns", make_spin, 0.01, 40, "bullet", "turn", Kind::coarse_step, 30},
+    {"BulletClampsTurns", make_spin, 0.02, 1000, "bullet", "spin", Kind::coarse_step, 30},
     {"BulletBouncesTooLow", make_drop, 0.01, 60, "bullet/path=as-shipped", "rebound", Kind::fine_step, 30},
     {"BulletGivesEnergy", make_blow, 0.01, 60, "bullet/path=as-shipped", "energy", Kind::erratic, 30},
     {"OdeBrakesByAPyramid", make_slide, 0.01, 60, "ode", "slide", Kind::every_step, 30},
