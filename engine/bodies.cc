@@ -453,7 +453,8 @@ void Bodies::scales(const Real* y, Real* scale) {
   Real at_rest = model_.joints.empty() ? 0 : std::sqrt(model_.strongest_gravity() * length_);
   const Real shaken = std::sqrt(epsilon * pull_ * length_);
   if (at_rest == 0 && speed_ > 0 && speed_ < shaken) at_rest = std::sqrt(pull_ * length_);
-  // And what turns on a joint about its own centre moves by the rounding of its rim's speed alone.
+  // And what turns on a joint about its own centre moves by the rounding of its rim's speed alone, of which the sums of a
+  // step leave less than a thousand units.
   const auto or_rounding_of = [](Real whole, Real x) { return x < 1000 * epsilon * whole ? whole : x; };
   const Real speed = or_rounding_of(turn_ * arm_, std::max(speed_, at_rest));
   const Real length = or_rounding_of(arm_, length_);

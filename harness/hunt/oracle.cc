@@ -44,13 +44,13 @@ Reason not_isolated(const Scene& scene) {
   return held(scene);
 }
 
+bool is_ball(const core::Body& body) { return std::holds_alternative<core::Sphere>(body.shape); }
+
 // Balls without friction that rebound with all of their speed: whether the blows of one instant come one after the other or
 // together, none takes energy.
 bool is_elastic(const Scene& scene, const core::Pair& pair) {
-  const auto is_ball = [&](int body) {
-    return std::holds_alternative<core::Sphere>(scene.bodies[static_cast<std::size_t>(body)].shape);
-  };
-  if (!is_ball(pair.body) || (pair.plane < 0 && !is_ball(pair.other))) return false;
+  const auto body = [&](int i) -> const core::Body& { return scene.bodies[static_cast<std::size_t>(i)]; };
+  if (!is_ball(body(pair.body)) || (pair.plane < 0 && !is_ball(body(pair.other)))) return false;
   const auto material = core::material_of(scene, pair);
   return material && material->restitution == 1 && material->friction == 0;
 }
@@ -170,7 +170,7 @@ Reason speed_without_bound(const Scene& scene) {
 
 Reason no_ball_that_falls(const Scene& scene) {
   if (scene.bodies.size() != 1 || scene.planes.size() != 1 || scene.frame || !scene.joints.empty() ||
-      !may_touch(scene) || !std::holds_alternative<core::Sphere>(scene.bodies[0].shape))
+      !may_touch(scene) || !is_ball(scene.bodies[0]))
     return "not one ball and one plane";
   for (const core::Force& force : scene.forces)
     if (!std::holds_alternative<core::UniformGravity>(force)) return "not gravity alone";
@@ -205,7 +205,7 @@ Reason no_box_that_slides(const Scene& scene) {
 Reason no_free_balls(const Scene& scene) {
   if (scene.frame || !scene.joints.empty() || may_touch(scene)) return "not free bodies";
   for (const core::Body& body : scene.bodies)
-    if (body.locked || !std::holds_alternative<core::Sphere>(body.shape) ||
+    if (body.locked || !is_ball(body) ||
         !body.inertia.isApprox(body.inertia(0, 0) * core::Matrix3::Identity(), 1e-12))
       return "not balls alone";
   for (const core::Force& force : scene.forces)
@@ -226,7 +226,6 @@ bool always(const Scene&) { return true; }
 
 // Balls that fly on until they hit: a blow that comes late finds the same speeds.
 bool flies_on_between_blows(const Scene& scene) {
-  const auto is_ball = [](const core::Body& b) { return std::holds_alternative<core::Sphere>(b.shape); };
   return scene.forces.empty() && scene.joints.empty() && !scene.frame && may_touch(scene) &&
          std::ranges::all_of(scene.bodies, is_ball);
 }
@@ -234,11 +233,18 @@ bool flies_on_between_blows(const Scene& scene) {
 constexpr std::string_view rounding_and_a_decade = "truncation is told by its course; ten times this is seen";
 
 constexpr std::array all = {
-    Oracle{"linear momentum", "what nothing holds keeps its momentum", 1e-4,
-           "forces come in pairs, whatever the step; ten times this is far from single precision",
-           not_isolated, "conserves = \"linear_momentum\""},
-    Oracle{"angular momentum", "what nothing holds keeps its angular momentum", 1e-3, rounding_and_a_decade,
-           not_isolated, "conserves = \"angular_momentum\""},
+    Oracle{.name = "linear momentum",
+           .says = "what nothing holds keeps its momentum",
+           .relative = 1e-4,
+           .why = "forces come in pairs, whatever the step; ten times this is far from single precision",
+           .undefined_in = not_isolated,
+           .claim = "conserves = \"linear_momentum\""},
+    Oracle{.name = "angular momentum",
+           .says = "what nothing holds keeps its angular momentum",
+           .relative = 1e-3,
+           .why = rounding_and_a_decade,
+           .undefined_in = not_isolated,
+           .claim = "conserves = \"angular_momentum\""},
     Oracle{.name = "energy",
            .says = "without losses the energy stays; balls that rebound with all of their speed lose none",
            .relative = 1e-3,
@@ -254,19 +260,39 @@ constexpr std::array all = {
            .claim = "conserves = \"energy\"\nmeasure = \"increase\"\nsample = \"step\"",
            .one_sided = true,
            .stepless_in = flies_on_between_blows},
-    Oracle{"penetration", "solids do not pass into each other", 5e-3,
-           "engines leave a slop of some thousandths of a body, so that contacts stay", no_penetration,
-           "conserves = \"normal_gap\"\nsample = \"step\""},
-    Oracle{"joint gap", "what a joint joins stays together", 1e-3, rounding_and_a_decade, no_joints,
-           "conserves = \"joint_gap\"\nsample = \"step\""},
-    Oracle{"joint axis", "what a joint does not let turn does not turn", 1e-3, rounding_and_a_decade, no_axes,
-           "conserves = \"angular_joint_gap\"\nsample = \"step\"", nullptr, false, false, false, false, true},
-    Oracle{"joint forces", "the forces of joints, as the engine tells them, moved the bodies", 1e-3,
-           "truncation is told by its course; an engine may tell the force of one instant", no_balance,
-           "conserves = \"momentum_balance\"", nullptr, false, false, true},
-    Oracle{"joint torques", "the torques of joints, as the engine tells them, turned the bodies", 1e-3,
-           "as of joint forces", no_balance, "conserves = \"angular_momentum_balance\"", nullptr, false,
-           false, true},
+    Oracle{.name = "penetration",
+           .says = "solids do not pass into each other",
+           .relative = 5e-3,
+           .why = "engines leave a slop of some thousandths of a body, so that contacts stay",
+           .undefined_in = no_penetration,
+           .claim = "conserves = \"normal_gap\"\nsample = \"step\""},
+    Oracle{.name = "joint gap",
+           .says = "what a joint joins stays together",
+           .relative = 1e-3,
+           .why = rounding_and_a_decade,
+           .undefined_in = no_joints,
+           .claim = "conserves = \"joint_gap\"\nsample = \"step\""},
+    Oracle{.name = "joint axis",
+           .says = "what a joint does not let turn does not turn",
+           .relative = 1e-3,
+           .why = rounding_and_a_decade,
+           .undefined_in = no_axes,
+           .claim = "conserves = \"angular_joint_gap\"\nsample = \"step\"",
+           .of_angle = true},
+    Oracle{.name = "joint forces",
+           .says = "the forces of joints, as the engine tells them, moved the bodies",
+           .relative = 1e-3,
+           .why = "truncation is told by its course; an engine may tell the force of one instant",
+           .undefined_in = no_balance,
+           .claim = "conserves = \"momentum_balance\"",
+           .of_steps = true},
+    Oracle{.name = "joint torques",
+           .says = "the torques of joints, as the engine tells them, turned the bodies",
+           .relative = 1e-3,
+           .why = "as of joint forces",
+           .undefined_in = no_balance,
+           .claim = "conserves = \"angular_momentum_balance\"",
+           .of_steps = true},
     Oracle{.name = "rest",
            .says = "what stands at rest stays there",
            .relative = 1e-3,
@@ -282,20 +308,18 @@ constexpr std::array all = {
            .read = read_statics,
            .of_contacts = true,
            .stepless_in = always},
-    Oracle{"rebound",
-           "a ball leaves a plane with the coefficient of restitution times its speed of approach",
-           1e-2,
-           "a blow may come a step late, by g dt of its speed",
-           no_ball_that_falls,
-           {},
-           read_rebound},
-    Oracle{"slide",
-           "a box that slides is braked by the coefficient of friction times its weight",
-           1e-3,
-           "truncation is told by its course; ten times this is seen",
-           no_box_that_slides,
-           {},
-           read_slide},
+    Oracle{.name = "rebound",
+           .says = "a ball leaves a plane with the coefficient of restitution times its speed of approach",
+           .relative = 1e-2,
+           .why = "a blow may come a step late, by g dt of its speed",
+           .undefined_in = no_ball_that_falls,
+           .read = read_rebound},
+    Oracle{.name = "slide",
+           .says = "a box that slides is braked by the coefficient of friction times its weight",
+           .relative = 1e-3,
+           .why = rounding_and_a_decade,
+           .undefined_in = no_box_that_slides,
+           .read = read_slide},
     Oracle{.name = "spin",
            .says = "a ball that no torque turns turns evenly",
            .relative = 1e-3,
@@ -303,7 +327,12 @@ constexpr std::array all = {
            .undefined_in = no_free_balls,
            .read = read_spin,
            .of_angle = true},
-    Oracle{"locked", "what is locked does not move", 1e-6, "single precision", no_locked, {}, read_locked},
+    Oracle{.name = "locked",
+           .says = "what is locked does not move",
+           .relative = 1e-6,
+           .why = "single precision",
+           .undefined_in = no_locked,
+           .read = read_locked},
     Oracle{.name = "speed",
            .says = "no speed is above what the forces can give",
            .relative = 1e-3,
@@ -312,10 +341,21 @@ constexpr std::array all = {
            .read = read_speed,
            .one_sided = true,
            .stepless_in = flies_on_between_blows},
-    Oracle{"place", "the places are those of the certified solution", 1e-3, rounding_and_a_decade, too_dear,
-           "follows = \"certified\"\nobservable = \"position\"", nullptr, true},
-    Oracle{"turn", "the turns are those of the certified solution", 1e-3, rounding_and_a_decade, too_dear,
-           "follows = \"certified\"\nobservable = \"orientation\"", nullptr, true, false, false, false, true},
+    Oracle{.name = "place",
+           .says = "the places are those of the certified solution",
+           .relative = 1e-3,
+           .why = rounding_and_a_decade,
+           .undefined_in = too_dear,
+           .claim = "follows = \"certified\"\nobservable = \"position\"",
+           .of_trajectories = true},
+    Oracle{.name = "turn",
+           .says = "the turns are those of the certified solution",
+           .relative = 1e-3,
+           .why = rounding_and_a_decade,
+           .undefined_in = too_dear,
+           .claim = "follows = \"certified\"\nobservable = \"orientation\"",
+           .of_trajectories = true,
+           .of_angle = true},
 };
 
 }  // namespace
