@@ -134,22 +134,15 @@ void Rows::project_positions(const std::vector<Body>& bodies, Motion* motion) {
   measure(bodies, motion);
   for (Row& row : rows) row.residual = row.offset;
   solve();
-  // What the rows turn a body by is one turn: one after another, large turns that cancel in sum leave their commutators.
-  const std::size_t n = bodies.size();
-  steps_.assign(2 * n, Vector3::Zero());
   const auto move = [&](int body, const Vector3& direction, const Vector3& spin, Real lambda) {
-    const std::size_t i = index(body);
-    if (bodies[i].locked) return;
-    steps_[i] += lambda * bodies[i].inverse_mass * direction;
-    steps_[n + i] += lambda * spin;
+    if (bodies[index(body)].locked) return;
+    Motion& m = motion[index(body)];
+    m.position += lambda * bodies[index(body)].inverse_mass * direction;
+    m.orientation = turned(m.orientation, lambda * spin);
   };
   for (const Row& row : rows) {
     move(row.body, row.direction, row.spin, row.lambda);
     if (row.to != fixed_world) move(row.to, row.direction, row.to_spin, -row.lambda);
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    motion[i].position += steps_[i];
-    if (!steps_[n + i].isZero(0)) motion[i].orientation = turned(motion[i].orientation, steps_[n + i]);
   }
 }
 

@@ -73,7 +73,6 @@ class Rows {
   SparseFactor factor_;
   std::vector<SparseFactor::Ends> ends_;
   std::vector<Real> lambda_;
-  std::vector<Vector3> steps_;  // of project_positions(): a shift of each body, then a turn of each
 };
 
 }  // namespace cylon::engine

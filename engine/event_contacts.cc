@@ -181,6 +181,9 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
       free_partings(touches, joints,
                     {bodies, motion, system_.kinematics().data(), system_.loads().data(), system_.count()});
   for (Real& pull : pulls) pull = -pull;
+  // Of the speeds that the pulls were computed from: a blow may leave two bodies at rest.
+  std::vector<Real> rounding;
+  for (const TouchPoint& touch : touches) rounding.push_back(speed_rounding(touch, bodies, motion));
   copy(y_, before_);
   ImpactOutcome outcome;
   // Every pass but the last takes the restitution of one more point: there are no more passes than this.
@@ -192,7 +195,8 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
     for (std::size_t i = 0; i < touches.size(); ++i) {
       const Real u = rate_now(touches[i]);
       // A pull that is rounding (of gyroscopic terms that cancel) brings nothing back.
-      const bool pulled = static_cast<Real>(dt_) * pulls[i] > speed_rounding(touches[i], bodies, motion);
+      const bool pulled = static_cast<Real>(dt_) * pulls[i] >
+                          std::max(rounding[i], speed_rounding(touches[i], bodies, motion));
       const Candidate& c = candidates_[touching[i].held.candidate];
       const Real low = c.kind == Candidate::Kind::general ? lowest_bounce * touch_margin(c, motion) : 0;
       const bool soon =

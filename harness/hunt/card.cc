@@ -62,7 +62,8 @@ std::string reason(const Fault& fault) {
              "slowly than "
              "that, or is larger.";
     case Kind::coarse_step:
-      return "The fault is of the coarse step alone: half the step shows none. It falls faster than the "
+      return "The fault is of the coarse step alone: half the step, or a quarter, shows none. It falls "
+             "faster than the "
              "error of a "
              "scheme of the stated order can, and the step resolves every rate of the scene, so that it is "
              "neither "
@@ -73,6 +74,10 @@ std::string reason(const Fault& fault) {
       return "The error does not fall at the steps above, though the last of them resolves every rate of the "
              "scene. At "
              "a 64th of the step it falls, so that it is truncation in the end.";
+    case Kind::erratic:
+      return "The right motion has no error of a step here, however large the step. The error rises and "
+             "falls "
+             "as the step is halved, and is as large at the finest steps.";
   }
   return "";
 }

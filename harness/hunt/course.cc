@@ -16,6 +16,7 @@ constexpr double falls = 0.75,
 constexpr double misjudged = 10;          // an engine's estimate of its error may be too small by this
 constexpr double small = 0.05;            // of the scale: where an order shows
 constexpr std::size_t in_a_row = 3;       // halvings that fall too little
+constexpr double left_of_none = 0.5;      // after three halvings; of an error of first order 1/8
 constexpr double beyond_any_order = 4;    // powers of two more than the order
 constexpr double least_promise = 1e-9;    // of the scale: rounding, and the scale's own
 
@@ -24,7 +25,8 @@ constexpr std::pair<Kind, std::string_view> names[] = {
     {Kind::own_promise, "more than the engine's own promise"},
     {Kind::coarse_step, "at the coarse step alone"},
     {Kind::fine_step, "at fine steps alone"},
-    {Kind::slow, "until steps are far finer"}};
+    {Kind::slow, "until steps are far finer"},
+    {Kind::erratic, "with no order"}};
 
 }  // namespace
 
@@ -95,15 +97,25 @@ bool Course::keeps_own_promise(double truth_error) const {
 bool Course::keeps_coarse_step() const {
   const double now = measured_[count_ - 1];
   if (!expected_.smooth || !expected_.resolved || !std::isfinite(now)) return false;
-  if (count_ == 1) return now > 10 * allowed_ && (relative_ == 0 || now <= allowed_ / relative_);
-  if (count_ == 2 && !(left() < std::exp2(-expected_.promise.order - beyond_any_order))) return false;
-  return now <= allowed_;
+  if (relative_ > 0 && now > allowed_ / relative_) return false;
+  const bool shows = now > 10 * allowed_;
+  if (count_ == 1) return shows;
+  if (measured_[count_ - 2] <= allowed_) return now <= allowed_;  // gone before
+  if (shows) return count_ == 2;
+  return now <= allowed_ && left() < std::exp2(-expected_.promise.order - beyond_any_order);
+}
+
+bool Course::is_erratic() const {
+  if (!may_be_erratic() || count_ < halvings) return false;
+  const double at_last = std::max(measured_[halvings - 2], measured_[halvings - 1]);
+  return at_last > 10 * allowed_ && at_last > left_of_none * std::max(measured_[0], measured_[1]);
 }
 
 std::optional<Kind> Course::fault() const {
   if (every_step_) return Kind::every_step;
   if (own_promise_) return Kind::own_promise;
   if (coarse_step_) return Kind::coarse_step;
+  if (is_erratic()) return Kind::erratic;
   return std::nullopt;
 }
 

@@ -9,10 +9,12 @@
 //                     by C dt^p: a fault falls by less than 2^-(p - 1/2) three times, while it is small against the
 //                     motion.  One that bounds its error by a tolerance errs by no more than
 //                     promised = 10 tolerance (what the motion makes of it), and is held to ten times that.
-//   coarse step alone e > 10 allowed at dt, within allowed at dt/2 and dt/4, and less than 2^-(p + 4) of it at dt/2:
+//   coarse step alone e > 10 allowed at dt, perhaps at dt/2, then within allowed at once and less than 2^-(p + 4) of what it was:
 //                     no scheme of order p falls so fast.  Of smooth motions whose rates the step resolves: an unstable
 //                     scheme does the same, and its remedy is a smaller step.
 //   fine steps alone  Where bodies touch: e > 10 allowed at dt/8 and dt/16, and not at dt.  Truncation does not rise.
+//   with no order     Where a step makes no error whatever its size, as of what rests: e > 10 allowed at dt, and the larger of
+//                     the last two is too, and above half the larger of the first two.  Of first order it is an eighth.
 #pragma once
 
 #include "harness/hunt/trial.h"
@@ -28,10 +30,10 @@ namespace cylon::hunt {
 /// How many steps are asked, each half of the one before.
 inline constexpr std::size_t halvings = 5;
 
-enum class Kind { every_step, own_promise, coarse_step, fine_step, slow };
+enum class Kind { every_step, own_promise, coarse_step, fine_step, slow, erratic };
 
 /// "at every step", "more than the engine's own promise", "at the coarse step alone", "at fine steps alone",
-/// "until steps are far finer".
+/// "until steps are far finer", "with no order".
 std::string_view name(Kind);
 std::optional<Kind> kind_from(std::string_view);
 
@@ -42,6 +44,7 @@ struct Expected {
   bool resolved = false;  ///< The step resolves all rates of the scene.
   double rounding =
       0;  ///< Below this part of the scale nothing is said of orders: 1e-7, in single precision 1e-4.
+  bool stepless = false;  ///< A step makes no error of it, however large.
 };
 
 /// Whether dt resolves springs, dampers, spins, drives and what swings on joints: no stable scheme needs less, and no turn is
@@ -60,7 +63,7 @@ class Course {
   void add(double measured, double allowed, double truth_error);
 
   /// Whether further steps may still show a fault.
-  bool open() const { return every_step_ || own_promise_ || coarse_step_; }
+  bool open() const { return every_step_ || own_promise_ || coarse_step_ || may_be_erratic(); }
 
   /// The fault, once it is not open to change: after `halvings` steps, or when open() is false.
   std::optional<Kind> fault() const;
@@ -83,6 +86,8 @@ class Course {
   bool falls_at_last(double at_a_64th) const;
 
  private:
+  bool may_be_erratic() const { return expected_.stepless && measured_[0] > 10 * allowed_; }
+  bool is_erratic() const;
   double left() const { return measured_[count_ - 1] / measured_[count_ - 2]; }
   bool keeps_every_step() const;
   bool keeps_own_promise(double truth_error) const;

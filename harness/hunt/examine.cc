@@ -95,6 +95,7 @@ class Examination {
     Expected expected = expected_;
     expected.smooth = expected.smooth && !oracle.of_steps;
     expected.resolved = expected.resolved && !oracle.one_sided;
+    expected.stepless = oracle.stepless_in && oracle.stepless_in(trial_.scene);
     Asked one = asked(oracle.name, oracle.says, oracle.why, oracle.relative);
     one.course = Course(expected, oracle.relative);
     return one;

@@ -1,7 +1,8 @@
 #include "harness/hunt/generator.h"
 
-#include "harness/core/solid.h"
 #include "harness/hunt/dice.h"
+#include "harness/hunt/pieces.h"
+#include "harness/hunt/weak_spots.h"
 
 #include <fmt/format.h>
 
@@ -19,64 +20,7 @@ using core::Scene;
 using core::Shape;
 using core::Vector3;
 
-const Vector3 up = Vector3::UnitY();
-
-// ---- Parts ------------------------------------------------------------------------------------------
-
-Shape some_shape(Dice& dice) {
-  const double r = dice.between(0.1, 0.4);
-  switch (dice.below(6)) {
-    case 0:
-      return core::Capsule{r / 2, r};
-    case 1:
-      return core::Cylinder{r / 2, r};
-    case 2:
-      return core::Cone{r / 2, r};
-    case 3:
-      return core::Sphere{r};
-    default:
-      return core::Box{{r, dice.between(0.1, 0.4), dice.between(0.1, 0.4)}};
-  }
-}
-
-// At rest at a place, with the mass properties of its shape.
-Body& add_body(Scene& scene, const Shape& shape, double mass, const Vector3& place) {
-  Body body;
-  body.name = fmt::format("b{}", scene.bodies.size() + 1);
-  body.mass = mass, body.shape = shape;
-  body.inertia = core::mass_properties(shape, mass).inertia;
-  body.initial.position = place;
-  return scene.bodies.emplace_back(body);
-}
-
-// 1 : 1 mostly, now and then up to 1 : 1000.
-double some_mass(Dice& dice) {
-  const double mass = dice.between(0.5, 3);
-  return dice.one_in(6) ? mass * dice.of(std::array{0.01, 0.1, 10.0, 100.0, 1000.0}) : mass;
-}
-
-void set_moving(Dice& dice, Body& body, double speed, double spin) {
-  body.initial.orientation = dice.turn();
-  body.initial.velocity = dice.vector(speed);
-  body.initial.angular_velocity = dice.vector(spin);
-}
-
-void maybe_gravity(Dice& dice, Scene& scene) {
-  if (dice.one_in(4)) return;
-  scene.forces.emplace_back(core::UniformGravity{dice.one_in(4) ? dice.vector(10) : Vector3(0, -9.81, 0)});
-}
-
-// ---- Families -----------------------------------------------------------------------------------------
-
-// What turns by up to radians in a step: of a ball no torque turns the axis.
-void fast_ball(Dice& dice, Scene& scene) {
-  maybe_gravity(dice, scene);
-  set_moving(dice, add_body(scene, core::Sphere{dice.between(0.1, 0.4)}, some_mass(dice), dice.vector(3)), 4,
-             150);
-}
-
 void flight(Dice& dice, Scene& scene) {
-  if (dice.one_in(8)) return fast_ball(dice, scene);
   maybe_gravity(dice, scene);
   const std::size_t count = 1 + dice.below(3);
   for (std::size_t i = 0; i < count; ++i)
@@ -200,21 +144,6 @@ void mechanism(Dice& dice, Scene& scene) {
 
 void machine(Dice& dice, Scene& scene) { tree(dice, scene, core::joint_kinds.size(), true); }
 
-void add_material(Dice& dice, Scene& scene) {
-  core::Material all;
-  all.between[0] = all.between[1] = "*";
-  all.restitution = dice.of(std::array{0.0, 0.0, 0.3, 0.5, 0.9, 1.0});
-  all.friction = dice.of(std::array{0.0, 0.2, 0.5, 1.0});
-  scene.materials.push_back(all);
-}
-
-void add_floor(Dice& dice, Scene& scene) {
-  core::Plane floor;
-  floor.name = "floor";
-  if (dice.one_in(4)) floor.normal = (up + 0.3 * dice.direction()).normalized();
-  scene.planes.push_back(floor);
-}
-
 // Groups at random: some bodies pass through each other, and through the floor.  A mask names groups that are there.
 void filter(Dice& dice, Scene& scene) {
   std::vector<std::string> there;
@@ -279,48 +208,24 @@ void standing(Dice& dice, Scene& scene) {
   }
 }
 
-// Equal cubes in a tower.
-void tower(Dice& dice, Scene& scene) {
-  scene.materials.push_back(core::Material{{"*", "*"}, 0, dice.of(std::array{0.5, 1.0})});
-  scene.forces.emplace_back(core::UniformGravity{{0, -9.81, 0}});
-  core::Plane floor;
-  floor.name = "floor";
-  scene.planes.push_back(floor);
-  const std::size_t count = 3 + dice.below(8);
-  const double half = dice.between(0.2, 0.5), mass = dice.between(0.5, 3);
-  for (std::size_t i = 0; i < count; ++i)
-    add_body(scene, core::Box{Vector3::Constant(half)}, mass,
-             Vector3(0, (2 * static_cast<double>(i) + 1) * half, 0))
-        .collide = true;
-}
-
-// Equal balls in a row that touch each other, and one that hits them; all on one line, without gravity.
-void cradle(Dice& dice, Scene& scene) {
-  scene.materials.push_back(core::Material{{"*", "*"}, dice.of(std::array{0.0, 0.5, 1.0}), 0});
-  const std::size_t count = 2 + dice.below(4);
-  const double radius = dice.of(std::array{0.125, 0.25, 0.5}), mass = dice.between(0.5, 3);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double gap = i == 0 ? 0.5 : 0;
-    Body& ball =
-        add_body(scene, core::Sphere{radius}, mass, Vector3(2 * radius * static_cast<double>(i) - gap, 0, 0));
-    ball.collide = true;
-    if (i == 0) ball.initial.velocity = Vector3(dice.between(1, 4), 0, 0);
-  }
-}
-
 constexpr std::array all = {
-    Family{"flight", "free bodies, with drag, drives, thrust, mass that changes and attraction", 3, flight},
-    Family{"frames", "the same, seen from a frame that turns or accelerates", 2, frames},
-    Family{"springs", "chains of springs", 3, springs},
-    Family{"mechanism", "trees of joints", 4, mechanism},
+    Family{"flight", "free bodies, with drag, drives, thrust, mass that changes and attraction", 3, 8,
+           flight},
+    Family{"spin", "one free body that spins fast", 2, 2, make_spin},
+    Family{"frames", "the same as flight, seen from a frame that turns or accelerates", 2, 0, frames},
+    Family{"springs", "chains of springs", 3, 0, springs},
+    Family{"mechanism", "trees of joints", 4, 0, mechanism},
     Family{"machine",
-           "trees of all kinds of joints, with springs, dampers, motors, servos, stops and friction", 3,
+           "trees of all kinds of joints, with springs, dampers, motors, servos, stops and friction", 3, 0,
            machine},
-    Family{"spheres", "spheres that collide", 3, spheres},
-    Family{"solids", "solids that collide", 3, solids},
-    Family{"standing", "boxes that stand, lie on each other or slide", 3, standing},
-    Family{"tower", "equal cubes on each other", 1, tower},
-    Family{"cradle", "balls in a row that touch, and one that hits them", 1, cradle},
+    Family{"spheres", "spheres that collide", 2, 0, spheres},
+    Family{"drop", "one ball that falls onto a plane", 1, 0, make_drop},
+    Family{"blow", "two balls that hit each other", 1, 0, make_blow},
+    Family{"solids", "solids that collide", 3, 0, solids},
+    Family{"standing", "boxes that stand, lie on each other or slide", 2, 0, standing},
+    Family{"slide", "one box that slides", 1, 0, make_slide},
+    Family{"tower", "equal cubes on each other, now and then under a heavy one", 1, 0, make_tower},
+    Family{"cradle", "balls in a row that touch, and one that hits them", 1, 0, make_cradle},
 };
 
 }  // namespace
@@ -338,7 +243,7 @@ Generated generate(std::uint64_t seed, std::uint64_t n) {
   family->make(dice, made.trial.scene);
   made.trial.step = dice.of(std::array{0.02, 0.01, 0.01, 0.005});
   made.trial.steps = dice.of(std::array<std::int64_t, 3>{40, 60, 100});
-  if (made.family == "flight" && dice.one_in(8)) made.trial.steps = 1000;  // what is slow to show
+  if (family->long_runs > 0 && dice.one_in(family->long_runs)) made.trial.steps = 1000;
   return made;
 }
 

@@ -15,9 +15,10 @@ class Dice;
 
 /// A kind of scene.
 struct Family {
-  std::string_view name;  ///< "mechanism"
-  std::string_view says;  ///< What it makes, one clause.
-  int weight;             ///< How often, among the sum of all.
+  std::string_view name;    ///< "mechanism"
+  std::string_view says;    ///< What it makes, one clause.
+  int weight;               ///< How often, among the sum of all.
+  std::uint64_t long_runs;  ///< One scene in so many has 1000 steps, for what is slow to show; 0: none.
   void (*make)(Dice&, core::Scene&);
 };
 

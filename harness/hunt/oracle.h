@@ -37,6 +37,8 @@ struct Oracle {
   /// Nothing below a bound counts: where losses outweigh what truncation adds, it falls to 0 at once, as of no order.
   bool one_sided = false;
   bool of_angle = false;  ///< Its scale is a radian.
+  /// Whether a step makes no error of it in this scene, however large the step; nothing: never.
+  bool (*stepless_in)(const core::Scene&) = nullptr;
 };
 
 /// The claim with its tolerance, as TOML; empty for an oracle that reads a recording itself.

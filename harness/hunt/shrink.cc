@@ -92,6 +92,7 @@ class Shrinking {
   bool round() {
     bool any = shorter();
     any |= no_frame();
+    any |= the_first_few();
     any |= fewer(
         [](Scene & s) -> auto& { return s.bodies; },
         [](const Scene& s, std::size_t i) { return without_body(s, i); });
@@ -118,6 +119,18 @@ class Shrinking {
     Scene scene = trial_.scene;
     scene.frame.reset();
     return take(std::move(scene));
+  }
+
+  // The first bodies alone, which of a pile are its foot: a pile may show a fault at some heights and not at those between.
+  bool the_first_few() {
+    constexpr std::size_t few = 4;
+    const std::size_t count = trial_.scene.bodies.size();
+    for (std::size_t left = 1; left <= few && left + 1 < count; ++left) {
+      Scene scene = trial_.scene;
+      while (scene.bodies.size() > left) scene = without_body(std::move(scene), scene.bodies.size() - 1);
+      if (take(std::move(scene))) return true;
+    }
+    return false;
   }
 
   template <class List, class Without>

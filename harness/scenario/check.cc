@@ -1,6 +1,6 @@
 // The key tables applied to a parsed document.
 
-#include "harness/core/input_error.h"
+#include "harness/core/input_errors.h"
 #include "harness/scenario/reader.h"
 
 #include <fmt/format.h>
@@ -8,12 +8,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace cylon::scenario {
 namespace {
 
+// Faults beyond these are not looked for: a file of another kind has thousands.
+constexpr std::size_t most_faults = 10;
+
 struct Checker {
   const std::string& file;
+  std::vector<core::InputError> faults = {};
 
   [[noreturn]] void fail(const toml::source_region& where, const std::string& message) const {
     throw core::InputError(file, where.begin.line, where.begin.column, message);
@@ -117,12 +123,12 @@ struct Checker {
       number(in_seconds(key), node);
   }
 
-  void table(const Key& key, const toml::node& node) const {
+  void table(const Key& key, const toml::node& node) {
     if (!node.is_table()) wrong_type(key, node);
     if (key.spec) table(*node.as_table(), *key.spec());
   }
 
-  void value(const Key& key, const toml::node& node) const {
+  void value(const Key& key, const toml::node& node) {
     switch (key.kind) {
       case Kind::text:
         return word(key, node);
@@ -205,24 +211,48 @@ struct Checker {
                                     core::did_you_mean(name.str(), names), fmt::join(names, ", ")));
   }
 
-  void table(const toml::table& t, const Spec& spec) const {
-    const Keys keys = keys_of(t, spec);
-    for (auto&& [name, node] : t) {
-      const auto known =
-          std::ranges::find(keys, name.str(), [](const Key* key) { return std::string_view(key->name); });
-      if (known == keys.end()) unknown_key(name, spec, keys);
-      value(**known, node);
+  // One fault hides no other.
+  template <class Task>
+  void attempt(Task task) {
+    if (faults.size() >= most_faults) return;
+    try {
+      task();
+    } catch (const core::InputError& fault) {
+      faults.push_back(fault);
     }
+  }
+
+  void table(const toml::table& t, const Spec& spec) {
+    const Keys keys = keys_of(t, spec);
+    for (auto&& [name, node] : t)
+      attempt([&, &name = name, &node = node] {
+        const auto known =
+            std::ranges::find(keys, name.str(), [](const Key* key) { return std::string_view(key->name); });
+        if (known == keys.end()) unknown_key(name, spec, keys);
+        value(**known, node);
+      });
     for (const Key* key : keys)
       if (key->required && !t.contains(key->name))
-        fail(t.source(), fmt::format("{} needs '{}'", spec.label, key->name));
+        attempt([&] { fail(t.source(), fmt::format("{} needs '{}'", spec.label, key->name)); });
+  }
+
+  void end() {
+    if (faults.empty()) return;
+    std::ranges::stable_sort(
+        faults, {}, [](const core::InputError& fault) { return std::pair(fault.line, fault.column); });
+    if (faults.size() == most_faults)
+      faults.push_back(
+          core::InputError(fmt::format("{}: after {} errors no more are looked for", file, most_faults)));
+    throw core::InputErrors(std::move(faults));
   }
 };
 
 }  // namespace
 
 void check(const toml::table& table, const Spec& spec, const std::string& file) {
-  Checker{file}.table(table, spec);
+  Checker checker{file};
+  checker.attempt([&] { checker.table(table, spec); });
+  checker.end();
 }
 
 }  // namespace cylon::scenario

@@ -61,8 +61,8 @@ class Table {
   std::string label_;
 };
 
-/// Throws core::InputError for the first unknown key, missing key, wrong type, value out of its range, or
-/// word that is no choice, anywhere below the table.
+/// Throws core::InputErrors for unknown keys, missing keys, wrong types, values out of their range, and words that are no
+/// choice, anywhere below the table.
 void check(const toml::table&, const Spec&, const std::string& file);
 
 /// A whole file, checked.

@@ -94,7 +94,7 @@ class Rule {
   // along.
   void mirror(core::Joint& joint) const {
     if (c_.turn.determinant() > 0) return;
-    joint.pitch = -joint.pitch;
+    if (core::kind_of(joint.type).screws) joint.pitch = -joint.pitch;
     for (core::JointAngle& angle : joint.angles) core::reverse(angle);
     for (core::JointDisplacement& displacement : joint.displacements)
       if (displacement.which == core::Ordinal::second) core::reverse(displacement);

@@ -2,6 +2,7 @@
 
 #include "harness/cli/command_line.h"
 #include "harness/cli/output.h"
+#include "harness/core/input_errors.h"
 #include "harness/imports/imports.h"
 #include "harness/process/interruption.h"
 #include "harness/process/sandbox.h"
@@ -126,9 +127,7 @@ int with_whole_output(int code) {
   return code == bad_input || code == interrupted ? code : harness_failure;
 }
 
-}  // namespace
-
-void show(const core::InputError& error) {
+void show_one(const core::InputError& error) {
   std::cerr << "error: " << indented(plain(error.what())) << '\n';
   if (error.line == 0) return;
   std::ifstream file(error.file);
@@ -144,6 +143,14 @@ void show(const core::InputError& error) {
   std::cerr << fmt::format(
       "  {}\n  {}^\n",
       reports::escaped(line, [](char32_t c) { return c == U'\t' || reports::is_printable(c); }), margin);
+}
+
+}  // namespace
+
+void show(const core::InputError& error) {
+  const auto* several = dynamic_cast<const core::InputErrors*>(&error);
+  if (several == nullptr) return show_one(error);
+  for (const core::InputError& one : several->each) show_one(one);
 }
 
 namespace {

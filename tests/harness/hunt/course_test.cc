@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -30,6 +31,27 @@ TEST(Course, TakesTruncationForNoFault) {
       EXPECT_FALSE(fault(of_order(order), falling(first, order))) << order << ' ' << first;
   // Nor an error of first order that cannot grow beyond its scale at the coarse steps.
   EXPECT_FALSE(fault(of_order(1), [](int k) { return std::min(scale, 12 * std::exp2(-k)); }));
+}
+
+// What rests has no truncation: an error that rises and falls, but is as large at the finest steps, is a fault there.
+TEST(Course, FindsWhatHasNoOrderWhereAStepMakesNoError) {
+  struct Row {
+    std::array<double, halvings> errors;  // of what is allowed
+    std::optional<Kind> of_rest;
+  };
+  constexpr Row rows[] = {
+      {{230, 145, 860, 2440, 10.4}, Kind::erratic},  // three cubes on each other in ODE
+      {{40, 90, 4, 30, 60}, Kind::erratic},         {{40, 90, 4, 3, 2}, std::nullopt},  // gone in the end
+      {{400, 200, 100, 50, 25}, std::nullopt},                                          // of first order
+      {{9, 90, 900, 900, 900}, std::nullopt},  // a fault of fine steps, which is asked elsewhere
+  };
+  Expected rests = of_order(1), moves = rests;
+  rests.smooth = moves.smooth = false, rests.stepless = true;
+  for (const Row& row : rows) {
+    const auto error = [&](int k) { return row.errors[static_cast<std::size_t>(k)] * allowed; };
+    EXPECT_EQ(fault(rests, error), row.of_rest) << row.errors[0];
+    EXPECT_FALSE(fault(moves, error)) << row.errors[0];
+  }
 }
 
 TEST(Course, FindsWhatStays) {
@@ -76,6 +98,9 @@ TEST(Course, HoldsAnIntegratorToItsTolerance) {
 TEST(Course, TellsAFaultOfTheCoarseStep) {
   const auto clamp = [](int k) { return k == 0 ? 0.5 : 1e-12; };
   EXPECT_EQ(fault(of_order(1), clamp), Kind::coarse_step);
+  // A clamp of turns that half the step exceeds, too; not one that a quarter does: the steps left do not tell.
+  EXPECT_EQ(fault(of_order(1), [](int k) { return k < 2 ? 0.5 : 1e-12; }), Kind::coarse_step);
+  EXPECT_FALSE(fault(of_order(1), [](int k) { return k < 3 ? 0.5 / (1 << k) : 1e-12; }));
   EXPECT_FALSE(fault(of_order(1), falling(0.5, 3)));
   Expected stiff = of_order(1);
   stiff.resolved = false;

@@ -1,5 +1,5 @@
 // Invalid scenarios are rejected with the place, the value and the valid range.
-#include "harness/core/input_error.h"
+#include "harness/core/input_errors.h"
 #include "harness/scenario/scenario.h"
 #include "tests/paths.h"
 #include "tests/temporary_folder.h"
@@ -8,7 +8,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -309,6 +311,47 @@ TEST(LoaderBase, BaseTextsAreValid) {
   EXPECT_EQ(refusal(sphere), "");
   EXPECT_EQ(refusal(ball + claim + good_claim), "");
   EXPECT_EQ(refusal(ball + claim + "sample = 0.02\nuntil = 1\n" + good_claim), "");
+}
+
+// Of a scene as somebody writes it who knows another format.
+TEST(LoaderBad, TellsAllFaultsInTheOrderOfTheFile) {
+  const char* const text =
+      "schema = 1\n"                                            // 1
+      "duration = 10\n"                                         // 2
+      "step = \"often\"\n"                                      // 3
+      "[[plane]]\nname = \"floor\"\nnormal = [0, 1]\n"          // 4 to 6
+      "[[body]]\nname = \"box\"\nmass = -1\n"                   // 7 to 9
+      "shape = { box = [1, 1, 1] }\n"                           // 10
+      "[[material]]\npair = [\"*\", \"*\"]\nfriction = 0.2\n";  // 11 to 13
+  const char* const wanted[] = {"bad.toml:1:1: unknown key 'schema'",
+                                "bad.toml:3:8: step",
+                                "bad.toml:6:10: normal must be",
+                                "bad.toml:9:8: mass = -1",
+                                "bad.toml:10:9: shape needs 'type'",
+                                "bad.toml:11:1: [[material]] needs 'between'",
+                                "bad.toml:11:1: [[material]] needs 'restitution'",
+                                "bad.toml:12:1: unknown key 'pair' in"};
+  try {
+    cylon::scenario::parse(text, "bad.toml");
+    FAIL() << "it was taken";
+  } catch (const cylon::core::InputErrors& error) {
+    ASSERT_EQ(error.each.size(), std::size(wanted));
+    EXPECT_STREQ(error.what(), error.each[0].what());
+    for (std::size_t i = 0; i < error.each.size(); ++i)
+      EXPECT_TRUE(std::string_view(error.each[i].what()).starts_with(wanted[i])) << error.each[i].what();
+  }
+}
+
+TEST(LoaderBad, EndsAfterTenFaultsAndSaysSo) {
+  std::string text;
+  for (int i = 10; i < 60; ++i) text += "key" + std::to_string(i) + " = 1\n";
+  try {
+    cylon::scenario::parse(text, "bad.toml");
+    FAIL() << "it was taken";
+  } catch (const cylon::core::InputErrors& error) {
+    ASSERT_EQ(error.each.size(), 11u);
+    EXPECT_STREQ(error.each[10].what(), "bad.toml: after 10 errors no more are looked for");
+  }
 }
 
 const fs::path data = fs::path(cylon::source_dir) / "tests/data";
