@@ -153,8 +153,13 @@ Rotation short_turn(const Vector& x, const Vector& l, double h) {
 Quaternion asymmetric_free_flow(const Body& body, const Quaternion& orientation,
                                 const Vector3& angular_momentum, Real h) {
   const Rotation start = in_double(orientation), axes = in_double(body.principal_axes);
-  const Vector x = body.inverse_moments.cast<double>();
-  const Vector l = axes.conjugate() * (start.conjugate() * angular_momentum.cast<double>());
+  Vector x = body.inverse_moments.cast<double>();
+  Vector l = axes.conjugate() * (start.conjugate() * angular_momentum.cast<double>());
+  // The turn below goes as |l|^7, and its square would underflow: l/2^n and 2^n X turn alike, to the last bit.
+  if (const double size = l.norm(); size > 0 && std::isfinite(size)) {
+    const int n = std::ilogb(size);
+    l *= std::scalbn(1, -n), x *= std::scalbn(1, n);
+  }
 
   // The nearest pole of l lies at least pi/(2 G spread) away in the complex plane, so that the terms of the
   // series fall as reach^n; each row keeps what is above 1e-17.

@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -30,13 +31,21 @@ std::optional<int> joint_rank(const Model& model) {
     for (const int body : {row.body, row.to})
       if (moves(body)) column(body);
   if (columns == 0) return 0;
+  // Levers of rows of lengths in parts of the longest, so that the rank is that of small and large mechanisms alike.
+  double longest = 0;
+  const auto is_length = [](const Row& row) { return !row.direction.isZero(0); };
+  for (const Row& row : rows)
+    if (is_length(row))
+      longest = std::max(
+          {longest, static_cast<double>(row.lever.norm()), static_cast<double>(row.to_lever.norm())});
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()), columns);
   for (std::size_t k = 0; k < rows.size(); ++k) {
+    const double unit = is_length(rows[k]) && longest > 0 ? longest : 1;
     const auto add = [&](int body, const Vector3& lever, double sign) {
       if (!moves(body)) return;
       const auto r = static_cast<Eigen::Index>(k);
       matrix.block<1, 3>(r, column(body)) += sign * rows[k].direction.cast<double>().transpose();
-      matrix.block<1, 3>(r, column(body) + 3) += sign * lever.cast<double>().transpose();
+      matrix.block<1, 3>(r, column(body) + 3) += sign / unit * lever.cast<double>().transpose();
     };
     add(rows[k].body, rows[k].lever, 1);
     add(rows[k].to, rows[k].to_lever, -1);

@@ -313,7 +313,8 @@ std::optional<Bracket> first_closing(const Candidate& c, const Model& model, con
     const bool narrow = w < span / 16;
     if (narrow && p.g_a >= -margin && p.g_b < -margin) return Bracket{p.a, p.b};
     if (narrow && p.g_a < -margin && p.g_b < -margin) continue;
-    const bool grazes = std::max(p.g_a, p.g_b) < v * w / 8;  // else it may pass, in a part of this one
+    // Else it may pass, in a part of this one.  What is no number grazes: it would be parted down to rounding everywhere.
+    const bool grazes = !(std::max(p.g_a, p.g_b) >= v * w / 8);
     if ((w <= span * least_part && grazes) || w < span * 64 * epsilon) {
       const Real by_rate = (v * w - p.g_a - p.g_b) / 2, by_change = b * w * w / 8 - std::min(p.g_a, p.g_b);
       unseen = std::max(unseen, smooth ? std::min(by_rate, by_change) : by_rate);

@@ -18,6 +18,17 @@ void fill_spins(Row& row, const std::vector<Body>& bodies, const Motion* motion)
   if (row.to != fixed_world) row.to_spin = spin_from(row.to, row.to_lever, bodies, motion);
 }
 
+// The most that a unit multiplier on a row moves it, whichever way its bodies can turn: |n|^2/m + |s|^2 max(1/I) of both.
+// What it does move may be rounding, of a row along which nothing can.
+Real mobility(const Row& row, const std::vector<Body>& bodies) {
+  const auto of = [&](int body, const Vector3& lever) -> Real {
+    if (body == fixed_world || bodies[index(body)].locked) return 0;
+    const Body& b = bodies[index(body)];
+    return b.inverse_mass * row.direction.squaredNorm() + b.inverse_moments.maxCoeff() * lever.squaredNorm();
+  };
+  return of(row.body, row.lever) + of(row.to, row.to_lever);
+}
+
 }  // namespace
 
 Matrix3 contact_frame(const Vector3& normal) {
@@ -74,7 +85,15 @@ Response::Response(std::span<const TouchPoint> touches, std::span<const Row> joi
   matrix_ = g.topLeftCorner(contacts_, contacts_);
   if (m == 0) return;
   cross_ = g.topRightCorner(contacts_, m);
-  joint_inverse_ = LeastNorm(g.bottomRightCorner(m, m)).inverse();
+  // Rows of lengths and of angles in one scale, so that the rank is that of small and large bodies alike:
+  //   G^+ = S (S G S)^+ S,  s_i^2 = 1/(most that the row could move)
+  VectorX scale(m);
+  for (Eigen::Index i = 0; i < m; ++i) {
+    const Real most = mobility(rows_[static_cast<std::size_t>(contacts_ + i)], bodies);
+    scale[i] = most > 0 ? 1 / std::sqrt(most) : Real(1);
+  }
+  const auto s = scale.asDiagonal();
+  joint_inverse_ = s * LeastNorm(s * g.bottomRightCorner(m, m) * s).inverse() * s;
   matrix_ -= cross_ * joint_inverse_ * cross_.transpose();
 }
 
