@@ -66,6 +66,7 @@ Assembly assemble(std::span<const TouchPoint> touches, std::span<const Row> join
   for (std::size_t i = 0; i < rows.size(); ++i) {
     a.free[static_cast<Eigen::Index>(i)] = free_acceleration(rows[i], now);
   }
+  a.frames.reserve(touches.size()), a.slips.reserve(touches.size());
   for (std::size_t i = 0; i < touches.size(); ++i) {
     const Eigen::Index row = 3 * static_cast<Eigen::Index>(i);
     const Vector3 drift = drift_of_slip(touches[i], now);
@@ -82,11 +83,13 @@ Assembly assemble(std::span<const TouchPoint> touches, std::span<const Row> join
 
 Vector2 tangent(const Matrix3& frame, const Vector3& v) { return {frame.col(1).dot(v), frame.col(2).dot(v)}; }
 
-ContactForces report(const Assembly& a, std::span<const TouchPoint> touches, const std::vector<Hold>& holds,
+// Takes the rows.
+ContactForces report(Assembly& a, std::span<const TouchPoint> touches, const std::vector<Hold>& holds,
                      const VectorX& force) {
   ContactForces support;
   support.multipliers = a.response.multipliers(a.free, force);
-  support.rows = a.response.rows();
+  support.rows = a.response.take_rows();
+  support.points.reserve(touches.size());
   const VectorX rate = a.problem.response * force + a.problem.offset;
   for (std::size_t i = 0; i < touches.size(); ++i) {
     const Eigen::Index n = 3 * static_cast<Eigen::Index>(i);
@@ -103,6 +106,20 @@ ContactForces report(const Assembly& a, std::span<const TouchPoint> touches, con
     support.points.push_back(p);
   }
   return support;
+}
+
+// Slip that counts as none is left in the velocities until they are projected, and turns with the bodies: w x u.  Where
+// points hold a body more often than it can move, the accelerations that keep them do not go together by as much.
+Real drift_of_rest(const Assembly& a, std::span<const TouchPoint> touches, const Instant& now) {
+  Real sum = 0;
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    if (touches[i].row || a.problem.hold[i].given) continue;
+    Real turn = now.kinematics[index(touches[i].body)].angular_velocity.norm();
+    if (touches[i].other != fixed_world)
+      turn += now.kinematics[index(touches[i].other)].angular_velocity.norm();
+    sum += turn * a.slips[i].norm();
+  }
+  return sum;
 }
 
 // The shares of the holdings as the start of the problem's forces, if there are any.
@@ -208,6 +225,7 @@ ContactForces find_contact_forces(std::span<const TouchPoint> touches, std::span
                                   : parts                                    ? Grip::parts
                                                                              : Grip::slides;
   }
+  a.problem.error.assign(touches.size(), drift_of_rest(a, touches, now));
   start_from(a.problem, a.frames, guess);
   a.problem.most_sweeps = 200;
   CoulombSolution solution = solve(a.problem);

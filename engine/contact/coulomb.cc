@@ -1,6 +1,7 @@
 #include "engine/contact/coulomb.h"
 
 #include "engine/contact/coulomb_point.h"
+#include "engine/contact/held_force.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,22 +11,12 @@ namespace cylon::engine {
 
 namespace {
 
-Eigen::Index at(std::size_t point) { return 3 * static_cast<Eigen::Index>(point); }
-
-bool is_dry(const CoulombProblem& p, std::size_t i) { return p.bound_of(i) > 0; }
 bool is_rough(const CoulombProblem& p, std::size_t i) { return p.friction[i] > 0 || is_dry(p, i); }
 Real slip_edge(const CoulombProblem& p, std::size_t i, Real normal) {
   return p.bound_of(i) + p.friction[i] * normal;
 }
 
-// A pivot below this part of the largest follows from the others: 1e-11 in double, 1e-5 in float, which is
-// rounding times the condition of a well-posed contact (redundant ones stay at rounding itself).
-Real dependent_pivot() { return std::pow(epsilon, Real(0.7)); }
-
-// Friction below this, squared, shares forces as this does: a tangent must still count as one.
-constexpr Real least_rough = Real(1e-6);
-
-// Rounding of f and u: the largest of each point's terms, with room for the sums over all points.
+// Rounding of f and u: the largest of each point's terms, with room for the sums over all points; of u with its error.
 struct Rounding {
   VectorX force, rate;  // per point
 };
@@ -36,13 +27,14 @@ Rounding rounding(const CoulombProblem& p, const VectorX& f) {
   const Real scale = 512 * epsilon, least = std::numeric_limits<Real>::min();  // below it digits are lost
   Real largest = 0;
   for (std::size_t i = 0; i < k; ++i) {
-    const auto rows = p.response.middleRows<3>(at(i));
+    const auto rows = p.response.middleRows<3>(first_row(i));
     const Real u = rows.cwiseAbs().rowwise().sum().maxCoeff() * (f.size() ? f.cwiseAbs().maxCoeff() : 0) +
-                   p.offset.segment<3>(at(i)).norm();
-    r.rate[static_cast<Eigen::Index>(i)] = std::max(scale * u, least);
-    const Real a = p.response.diagonal().segment<3>(at(i)).maxCoeff();
+                   p.offset.segment<3>(first_row(i)).norm();
+    r.rate[static_cast<Eigen::Index>(i)] = std::max(scale * u, least) + p.error_of(i);
+    const Real a = p.response.diagonal().segment<3>(first_row(i)).maxCoeff();
     if (a > 0)
-      largest = std::max({largest, p.offset.segment<3>(at(i)).norm() / a, f.segment<3>(at(i)).norm()});
+      largest = std::max(
+          {largest, p.offset.segment<3>(first_row(i)).norm() / a, f.segment<3>(first_row(i)).norm()});
   }
   r.force.setConstant(std::max(scale * largest, least));
   return r;
@@ -64,100 +56,12 @@ VectorX scales(const CoulombProblem& p) {
     int count = 0;
     for (std::size_t j = 0; j < k; ++j) {
       if (p.pair[j] != p.pair[i]) continue;
-      sum += p.response.diagonal().segment<3>(at(j)).mean();
+      sum += p.response.diagonal().segment<3>(first_row(j)).mean();
       ++count;
     }
-    if (sum > 0) s.segment<3>(at(i)).setConstant(1 / std::sqrt(sum / static_cast<Real>(count)));
+    if (sum > 0) s.segment<3>(first_row(i)).setConstant(1 / std::sqrt(sum / static_cast<Real>(count)));
   }
   return s;
-}
-
-// f = B x with the equations E (A f + q) = 0, one per unknown; least |x| when the tangential unknowns of
-// point i are measured in units of share_i; `start`: of all f = start' + B x instead, where start' is the
-// start with what the holds forbid left out.
-// `unique`: set to whether the equations leave one force only, whatever the shares.
-VectorX least_norm(const CoulombProblem& p, const std::vector<Hold>& hold, const VectorX& share,
-                   const VectorX& start = {}, bool* unique = nullptr) {
-  const Eigen::Index size = p.offset.size();
-  Eigen::Index unknowns = 0;
-  for (std::size_t i = 0; i < hold.size(); ++i)
-    unknowns += hold[i].grip == Grip::sticks   ? (is_dry(p, i) ? 1 : 3)
-                : hold[i].grip == Grip::slides ? (is_dry(p, i) ? 0 : 1)
-                                               : 0;
-  VectorX force = VectorX::Zero(size);
-  if (unique) *unique = unknowns == 0;
-  if (unknowns == 0) {
-    for (std::size_t i = 0; i < hold.size(); ++i)
-      if (is_dry(p, i)) force.segment<2>(at(i) + 1) = -p.bound[i] * hold[i].slip;
-    return force;
-  }
-  MatrixX basis = MatrixX::Zero(size, unknowns), equations = MatrixX::Zero(unknowns, size);
-  Eigen::Index column = 0;
-  for (std::size_t i = 0; i < hold.size(); ++i) {
-    if (hold[i].grip == Grip::parts) continue;
-    if (is_dry(p, i)) {
-      if (hold[i].grip != Grip::sticks) continue;
-      basis(at(i) + 1, column) = 1;
-      equations(column, at(i) + 1) = 1;
-      ++column;
-      continue;
-    }
-    basis(at(i), column) = 1;
-    equations(column, at(i)) = 1;
-    if (hold[i].grip == Grip::slides) {
-      basis.col(column).segment<2>(at(i) + 1) = -p.friction[i] * hold[i].slip;
-      ++column;
-      continue;
-    }
-    for (Eigen::Index t = 1; t < 3; ++t) {
-      basis(at(i) + t, column + t) = share[static_cast<Eigen::Index>(i)];
-      equations(column + t, at(i) + t) = 1;
-    }
-    column += 3;
-  }
-  VectorX from = VectorX::Zero(size);
-  for (std::size_t i = 0; start.size() > 0 && i < hold.size(); ++i) {
-    if (hold[i].grip == Grip::parts) continue;
-    from.segment<3>(at(i)) = start.segment<3>(at(i));
-    if (hold[i].grip == Grip::slides)
-      from.segment<2>(at(i) + 1) = -p.friction[i] * from[at(i)] * hold[i].slip;
-  }
-  for (std::size_t i = 0; i < hold.size(); ++i)
-    if (is_dry(p, i) && hold[i].grip == Grip::slides) from.segment<2>(at(i) + 1) = -p.bound[i] * hold[i].slip;
-  const MatrixX system = equations * p.response * basis;
-  const VectorX wanted = -(equations * (p.offset + p.response * from));
-  const LeastNorm decomposition(system, dependent_pivot());
-  VectorX x = decomposition.solve(wanted);
-  if (unique) *unique = decomposition.rank() == unknowns;
-  x += decomposition.solve(VectorX(wanted - system * x));  // one refinement: rounding only is left
-  return from + basis * x;
-}
-
-// Dry friction of a coordinate that the normals which are held keep by themselves, as a stop does: its rate follows
-// from theirs, r_i = sum_j c_j n_j, so that with N the rows of these normals
-//   A_ii = A_iN A_NN^+ A_Ni.
-// Nothing says how the two share a force.  The normals take it, whose reaction has no bound: friction that took a part
-// of it would come to its bound, and end and begin to hold without end although nothing moves.  Without force here
-// (it slides nowhere); where the normals part it holds again.
-std::vector<Hold> leave_to_normals(const CoulombProblem& p, const std::vector<Hold>& hold) {
-  std::vector<Eigen::Index> normals;
-  bool dry = false;
-  for (std::size_t i = 0; i < hold.size(); ++i) {
-    if (is_dry(p, i))
-      dry = dry || hold[i].grip == Grip::sticks;
-    else if (hold[i].grip != Grip::parts)
-      normals.push_back(at(i));
-  }
-  if (!dry || normals.empty()) return hold;
-  const LeastNorm among(p.response(normals, normals), dependent_pivot());
-  std::vector<Hold> result = hold;
-  for (std::size_t i = 0; i < hold.size(); ++i) {
-    if (!is_dry(p, i) || hold[i].grip != Grip::sticks) continue;
-    const VectorX along = p.response(normals, at(i) + 1);
-    const Real own = p.response(at(i) + 1, at(i) + 1), left = own - along.dot(among.solve(along));
-    if (left <= dependent_pivot() * own) result[i] = Hold{Grip::slides};
-  }
-  return result;
 }
 
 Vector2 direction(const Vector2& u) {
@@ -179,7 +83,7 @@ bool polish(const CoulombProblem& p, std::vector<Hold>& hold, VectorX& f, Counte
     VectorX residual = VectorX::Zero(size);
     MatrixX jacobian = MatrixX::Zero(size, size);
     for (std::size_t i = 0; i < hold.size(); ++i) {
-      const Eigen::Index n = at(i);
+      const Eigen::Index n = first_row(i);
       Hold& h = hold[i];
       if (h.grip == Grip::parts) {
         residual.segment<3>(n) = f.segment<3>(n);
@@ -228,7 +132,7 @@ bool choose_pressed(const CoulombProblem& p, std::vector<Hold>& hold, VectorX& f
     Real most = 0;
     for (std::size_t i = 0; i < hold.size(); ++i) {
       if (hold[i].grip == Grip::parts) continue;
-      const Real pull = -f[at(i)] - r.force[static_cast<Eigen::Index>(i)];
+      const Real pull = -f[first_row(i)] - r.force[static_cast<Eigen::Index>(i)];
       if (pull > most) most = pull, worst = i;
     }
     if (worst < hold.size()) {
@@ -238,7 +142,7 @@ bool choose_pressed(const CoulombProblem& p, std::vector<Hold>& hold, VectorX& f
     const VectorX u = p.response * f + p.offset;
     for (std::size_t i = 0; i < hold.size(); ++i) {
       if (hold[i].grip != Grip::parts) continue;
-      const Real enters = -u[at(i)] - r.rate[static_cast<Eigen::Index>(i)];
+      const Real enters = -u[first_row(i)] - r.rate[static_cast<Eigen::Index>(i)];
       if (enters > most) most = enters, worst = i;
     }
     if (worst == hold.size()) return true;
@@ -253,13 +157,14 @@ bool sweep(const CoulombProblem& p, int sweeps, VectorX& f, std::vector<Hold>& h
     counter.swept();
     Real change = 0;
     for (std::size_t i = 0; i < hold.size(); ++i) {
-      const Matrix3 a = p.response.block<3, 3>(at(i), at(i));
-      const Vector3 old = f.segment<3>(at(i));
-      const Vector3 q = p.response.middleRows<3>(at(i)) * f - a * old + p.offset.segment<3>(at(i));
+      const Matrix3 a = p.response.block<3, 3>(first_row(i), first_row(i));
+      const Vector3 old = f.segment<3>(first_row(i));
+      const Vector3 q =
+          p.response.middleRows<3>(first_row(i)) * f - a * old + p.offset.segment<3>(first_row(i));
       const Hold start = hold[i].given ? p.hold[i] : Hold{};
       const PointForce now = is_dry(p, i) ? solve_dry(a(1, 1), q[1], p.bound[i], start)
                                           : solve_point(a, q, p.friction[i], start);
-      f.segment<3>(at(i)) = now.force;
+      f.segment<3>(first_row(i)) = now.force;
       hold[i] = now.hold;
       change = std::max(change, (now.force - old).norm());
     }
@@ -276,9 +181,9 @@ std::vector<Hold> read_holds(const CoulombProblem& p, const VectorX& f, Real nea
   std::vector<Hold> hold(p.friction.size());
   for (std::size_t i = 0; i < hold.size(); ++i) {
     hold[i].given = p.hold[i].given;
-    const Real f_n = f[at(i)];
+    const Real f_n = f[first_row(i)];
     const bool presses =
-        is_dry(p, i) || (press_when_in_doubt ? u[at(i)] <= nearly * u_scale : f_n > nearly * f_scale);
+        is_dry(p, i) || (press_when_in_doubt ? u[first_row(i)] <= nearly * u_scale : f_n > nearly * f_scale);
     if (!presses) {
       hold[i].grip = Grip::parts;
     } else if (hold[i].given) {
@@ -287,7 +192,7 @@ std::vector<Hold> read_holds(const CoulombProblem& p, const VectorX& f, Real nea
     } else if (!is_rough(p, i)) {
       hold[i].grip = Grip::slides;
     } else {
-      const Vector2 slip = u.segment<2>(at(i) + 1);
+      const Vector2 slip = u.segment<2>(first_row(i) + 1);
       hold[i].grip = slip.norm() > nearly * u_scale ? Grip::slides : Grip::sticks;
       if (hold[i].grip == Grip::slides) hold[i].slip = direction(slip);
     }
@@ -301,11 +206,10 @@ bool share_within_cones(const CoulombProblem& p, const std::vector<Hold>& hold, 
                         Counter& counter) {
   constexpr int most_turns = 30;
   constexpr Real inner = Real(0.999);  // of the cones, so that the end is inside
-  const VectorX even = VectorX::Ones(static_cast<Eigen::Index>(hold.size()));
   for (int turn = 0; turn < most_turns; ++turn) {
     bool unique = false;
     counter.solved();
-    const VectorX allowed = least_norm(p, hold, even, f, &unique);
+    const VectorX allowed = nearest_held_force(p, hold, f, &unique);
     if (obeys(p, hold, allowed)) {
       shared = allowed;
       return true;
@@ -314,15 +218,15 @@ bool share_within_cones(const CoulombProblem& p, const std::vector<Hold>& hold, 
     f = allowed;
     for (std::size_t i = 0; i < hold.size(); ++i) {
       // Onto |f_t| <= m f_n:  (f_n + m |f_t|)/(1 + m^2) times (1, m) on its edge, or its tip.
-      const Real m = inner * p.friction[i], size = f.segment<2>(at(i) + 1).norm();
+      const Real m = inner * p.friction[i], size = f.segment<2>(first_row(i) + 1).norm();
       if (is_dry(p, i)) {
-        if (size > inner * p.bound[i]) f.segment<2>(at(i) + 1) *= inner * p.bound[i] / size;
+        if (size > inner * p.bound[i]) f.segment<2>(first_row(i) + 1) *= inner * p.bound[i] / size;
         continue;
       }
-      if (hold[i].grip != Grip::sticks || size <= m * f[at(i)]) continue;
-      const Real along = std::max<Real>(0, (f[at(i)] + m * size) / (1 + m * m));
-      f[at(i)] = along;
-      f.segment<2>(at(i) + 1) *= m * along / size;
+      if (hold[i].grip != Grip::sticks || size <= m * f[first_row(i)]) continue;
+      const Real along = std::max<Real>(0, (f[first_row(i)] + m * size) / (1 + m * m));
+      f[first_row(i)] = along;
+      f.segment<2>(first_row(i) + 1) *= m * along / size;
     }
   }
   return false;
@@ -371,8 +275,8 @@ CoulombSolution solve_scaled(const CoulombProblem& p, Counter& counter) {
     std::vector<Hold> loose = hold;
     VectorX force = f;
     for (std::size_t i = 0; i < loose.size(); ++i) {
-      const Vector2 pull = f.segment<2>(at(i) + 1);
-      const bool beyond = pull.norm() > slip_edge(p, i, f[at(i)]);
+      const Vector2 pull = f.segment<2>(first_row(i) + 1);
+      const bool beyond = pull.norm() > slip_edge(p, i, f[first_row(i)]);
       if (loose[i].grip != Grip::sticks || !(all || beyond) || !(pull.norm() > 0)) continue;
       loose[i].grip = Grip::slides;
       loose[i].slip = -direction(pull);
@@ -383,7 +287,7 @@ CoulombSolution solve_scaled(const CoulombProblem& p, Counter& counter) {
       if (solution.exact) return solution;
       const VectorX u = p.response * force + p.offset;
       for (std::size_t i = 0; i < loose.size(); ++i) {
-        const Vector2 slip = u.segment<2>(at(i) + 1);
+        const Vector2 slip = u.segment<2>(first_row(i) + 1);
         if (loose[i].grip != Grip::slides || loose[i].given || !(slip.norm() > 0)) continue;
         loose[i].slip = direction(slip);
       }
@@ -408,41 +312,12 @@ CoulombSolution solve_scaled(const CoulombProblem& p, Counter& counter) {
 
 }  // namespace
 
-VectorX held_force(const CoulombProblem& p, const std::vector<Hold>& decided) {
-  const std::vector<Hold> hold = leave_to_normals(p, decided);
-  if (p.start.size() > 0)
-    return least_norm(p, hold, VectorX::Ones(static_cast<Eigen::Index>(hold.size())), p.start);
-  const Eigen::Index k = static_cast<Eigen::Index>(hold.size());
-  // Where normals can carry what friction could (a ball in a groove), friction leaves it to them.
-  Real roughest = 0;
-  for (const Real mu : p.friction) roughest = std::max(roughest, mu);
-  VectorX rough(k);
-  for (Eigen::Index i = 0; i < k; ++i)
-    rough[i] =
-        std::sqrt(std::clamp<Real>(p.friction[static_cast<std::size_t>(i)] * roughest, least_rough, 1));
-  VectorX share = rough;
-  bool unique = false;
-  VectorX f = least_norm(p, hold, share, {}, &unique);
-  const bool sticks =
-      std::any_of(hold.begin(), hold.end(), [](const Hold& h) { return h.grip == Grip::sticks; });
-  for (int pass = 0; sticks && !unique && k > 1 && pass < 3; ++pass) {
-    Real mean = 0;
-    for (Eigen::Index i = 0; i < k; ++i) mean += std::max<Real>(0, f[3 * i]) / static_cast<Real>(k);
-    if (!(mean > 0)) break;
-    for (Eigen::Index i = 0; i < k; ++i) {
-      share[i] = rough[i] * std::sqrt(std::clamp<Real>(f[3 * i] / mean, Real(1e-4), Real(1e4)));
-    }
-    f = least_norm(p, hold, share);
-  }
-  return f;
-}
-
 VectorX relaxed_force(const CoulombProblem& p, int rounds) {
   VectorX f = VectorX::Zero(p.offset.size());
   for (int round = 0; round < rounds; ++round) {
     Real change = 0;
     for (std::size_t i = 0; i < p.friction.size(); ++i) {
-      const Eigen::Index n = at(i);
+      const Eigen::Index n = first_row(i);
       const Matrix3 a = p.response.block<3, 3>(n, n);
       if (!(a(0, 0) > 0) && !is_dry(p, i)) continue;
       const Vector3 old = f.segment<3>(n);
@@ -464,15 +339,15 @@ bool obeys(const CoulombProblem& p, const std::vector<Hold>& hold, const VectorX
   const VectorX u = p.response * f + p.offset;
   const Rounding r = rounding(p, f);
   for (std::size_t i = 0; i < hold.size(); ++i) {
-    const Real f_n = f[at(i)], u_n = u[at(i)];
+    const Real f_n = f[first_row(i)], u_n = u[first_row(i)];
     const Real f_small = r.force[static_cast<Eigen::Index>(i)],
                u_small = r.rate[static_cast<Eigen::Index>(i)];
-    const Vector2 f_t = f.segment<2>(at(i) + 1), u_t = u.segment<2>(at(i) + 1);
+    const Vector2 f_t = f.segment<2>(first_row(i) + 1), u_t = u.segment<2>(first_row(i) + 1);
     const Real edge = slip_edge(p, i, f_n);
     if (f_n < -f_small || u_n < -u_small) return false;
     switch (hold[i].grip) {
       case Grip::parts:
-        if (is_dry(p, i) || f.segment<3>(at(i)).norm() > f_small) return false;
+        if (is_dry(p, i) || f.segment<3>(first_row(i)).norm() > f_small) return false;
         break;
       case Grip::sticks:
         if (std::abs(u_n) > u_small || u_t.norm() > u_small || f_t.norm() > edge + f_small) return false;
@@ -495,7 +370,8 @@ CoulombSolution solve(const CoulombProblem& p) {
   CoulombProblem scaled = p;
   scaled.response = s.asDiagonal() * p.response * s.asDiagonal();
   scaled.offset = s.cwiseProduct(p.offset);
-  for (std::size_t i = 0; i < p.bound.size(); ++i) scaled.bound[i] /= s[at(i)];
+  for (std::size_t i = 0; i < p.bound.size(); ++i) scaled.bound[i] /= s[first_row(i)];
+  for (std::size_t i = 0; i < p.error.size(); ++i) scaled.error[i] *= s[first_row(i)];
   scaled.start.resize(0);
   Counter counter{static_cast<std::int64_t>(p.friction.size())};
   if (!p.guess.empty()) {

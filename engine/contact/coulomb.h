@@ -37,6 +37,7 @@ struct Hold {
 struct CoulombProblem {
   MatrixX response;            ///< A, 3 k x 3 k.
   VectorX offset;              ///< q, 3 k.
+  std::vector<Real> error;     ///< How far q of each point may be off, k or none.
   std::vector<Real> friction;  ///< mu, k.
   std::vector<Real> bound;     ///< b, k or none.
   std::vector<int> pair;       ///< k; points of one pair share redundant forces evenly.
@@ -46,6 +47,7 @@ struct CoulombProblem {
   VectorX start;               ///< 3 k or none: held_force() departs from it as little as it can.
 
   Real bound_of(std::size_t i) const { return bound.empty() ? Real(0) : bound[i]; }
+  Real error_of(std::size_t i) const { return error.empty() ? Real(0) : error[i]; }
 };
 
 struct CoulombSolution {
@@ -79,7 +81,7 @@ VectorX relaxed_force(const CoulombProblem&, int rounds);
 constexpr std::int64_t linear_operations(std::int64_t rows) { return 20 + rows * rows * rows / 10; }
 constexpr std::int64_t sweep_operations(std::int64_t points) { return 30 * points; }
 
-/// Whether the force obeys the law for these holds, to rounding.
+/// Whether the force obeys the law for these holds, to rounding and the error of q.
 bool obeys(const CoulombProblem&, const std::vector<Hold>&, const VectorX& force);
 
 /// How far a force is from the law, in units of u: the largest over the points of

@@ -4,7 +4,7 @@ namespace cylon::engine {
 
 LeastNorm::LeastNorm(const MatrixX& matrix) : decomposition_(matrix) {}
 
-LeastNorm::LeastNorm(const MatrixX& matrix, Real dependent) {
+void LeastNorm::compute(const MatrixX& matrix, Real dependent) {
   decomposition_.setThreshold(dependent);
   decomposition_.compute(matrix);
 }

@@ -14,9 +14,12 @@ using VectorX = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 /// Of all x for which |M x - y| is least, the one of least norm: x = M^+ y.
 class LeastNorm {
  public:
+  LeastNorm() = default;
   explicit LeastNorm(const MatrixX& matrix);
   /// A pivot below `dependent` times the largest counts as zero.
-  LeastNorm(const MatrixX& matrix, Real dependent);
+  LeastNorm(const MatrixX& matrix, Real dependent) { compute(matrix, dependent); }
+  /// Another matrix in the same storage.
+  void compute(const MatrixX& matrix, Real dependent);
 
   VectorX solve(const VectorX& y) const;
   MatrixX inverse() const;  ///< M^+

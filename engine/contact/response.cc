@@ -6,16 +6,28 @@ namespace cylon::engine {
 
 namespace {
 
-// I^-1 s for the body at one end of a row.
-Vector3 spin_from(int body, const Vector3& lever, const std::vector<Body>& bodies, const Motion* motion) {
-  const std::size_t i = index(body);
-  if (!rotates(bodies[i])) return Vector3::Zero();
-  return inverse_inertia_times(bodies[i], motion[i].orientation, lever);
-}
+// A body at one end of rows.
+class End {
+ public:
+  End(int body, const std::vector<Body>& bodies, const Motion* motion) {
+    if (body == fixed_world || !rotates(bodies[index(body)])) return;
+    body_ = &bodies[index(body)];
+    turn_ = motion[index(body)].orientation.toRotationMatrix();
+  }
 
-void fill_spins(Row& row, const std::vector<Body>& bodies, const Motion* motion) {
-  row.spin = spin_from(row.body, row.lever, bodies, motion);
-  if (row.to != fixed_world) row.to_spin = spin_from(row.to, row.to_lever, bodies, motion);
+  // I^-1 s
+  Vector3 spin(const Vector3& lever) const {
+    return body_ ? inverse_inertia_times(*body_, turn_, lever) : Vector3(Vector3::Zero());
+  }
+
+ private:
+  const Body* body_ = nullptr;
+  Matrix3 turn_;
+};
+
+void fill_spins(Row& row, const End& body, const End& to) {
+  row.spin = body.spin(row.lever);
+  row.to_spin = to.spin(row.to_lever);
 }
 
 // The most that a unit multiplier on a row moves it, whichever way its bodies can turn: |n|^2/m + |s|^2 max(1/I) of both.
@@ -41,12 +53,13 @@ Matrix3 contact_frame(const Vector3& normal) {
 
 void append_rows(const TouchPoint& touch, const std::vector<Body>& bodies, const Motion* motion,
                  std::vector<Row>& rows) {
+  const End body(touch.body, bodies, motion), to(touch.other, bodies, motion);
   if (touch.row) {
     Row none;
     none.body = touch.body;
     none.to = touch.other;
     for (int axis = 0; axis < 3; ++axis) rows.push_back(axis == touch.axis ? *touch.row : none);
-    fill_spins(rows[rows.size() - 3 + static_cast<std::size_t>(touch.axis)], bodies, motion);
+    fill_spins(rows[rows.size() - 3 + static_cast<std::size_t>(touch.axis)], body, to);
     return;
   }
   const Matrix3 frame = contact_frame(touch.normal);
@@ -60,7 +73,7 @@ void append_rows(const TouchPoint& touch, const std::vector<Body>& bodies, const
     if (touch.other != fixed_world) {
       row.to_lever = (touch.position - motion[index(touch.other)].position).cross(row.direction);
     }
-    fill_spins(row, bodies, motion);
+    fill_spins(row, body, to);
     rows.push_back(row);
   }
 }
@@ -72,7 +85,7 @@ Response::Response(std::span<const TouchPoint> touches, std::span<const Row> joi
   contacts_ = static_cast<Eigen::Index>(rows_.size());
   for (const Row& joint : joints) {
     rows_.push_back(joint);
-    fill_spins(rows_.back(), bodies, motion);
+    fill_spins(rows_.back(), {joint.body, bodies, motion}, {joint.to, bodies, motion});
   }
   const Eigen::Index n = static_cast<Eigen::Index>(rows_.size()), m = n - contacts_;
   MatrixX g(n, n);

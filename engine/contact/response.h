@@ -7,6 +7,8 @@
 #include "engine/contact/touch.h"
 
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace cylon::engine {
 
@@ -26,6 +28,7 @@ class Response {
   Response(std::span<const TouchPoint>, std::span<const Row> joints, const std::vector<Body>&, const Motion*);
 
   const std::vector<Row>& rows() const { return rows_; }
+  std::vector<Row> take_rows() { return std::move(rows_); }
   Eigen::Index contact_rows() const { return contacts_; }
   const MatrixX& matrix() const { return matrix_; }
 
