@@ -178,7 +178,7 @@ void EventStepper::step() {
     bool event = false;
     const Time after = go_on(now, end - now, event);
     now = std::min(end, now + after);
-    if (now < end && crawls(now)) {
+    if (now < end && (crawls(now) || jumps_)) {
       if (event) resolve(now);
       note_held();
       const Time to = stride_ < end - now ? now + stride_ : end;
@@ -280,6 +280,7 @@ Time EventStepper::go_on(Time from, Time span, bool& event) {
   ContactForces before;
   if (!watches && !held_.empty()) log_.note(DiagnosticKind::changes_not_searched, from);
   if (watches) before = support(from, start_.data());
+  jumps_ = event = false;
   Time went = piece(from, span);
   // The rate at the start bounds no turn of what speeds up.
   while (system_.most_turned(start_.data(), y_.data()) > most_turn && went > no_time * dt_) {
@@ -287,6 +288,7 @@ Time EventStepper::go_on(Time from, Time span, bool& event) {
     fresh_ = true;
     went = piece(from, went / 2);
   }
+  if (jumps_) return 0;
   const Real width = static_cast<Real>(went);
   copy(y_, end_);
   passage_.set(system_.model().bodies, system_.count(), system_.motions(start_.data()), motions(), width);
@@ -324,10 +326,13 @@ Time EventStepper::piece(Time from, Time span) {
       rough_ = 0;
       return controlled_.end() == from + span ? span : controlled_.end() - from;
     }
-    // Forces jump in here: a fixed step gets over it, the longer the more of them come in a row.
+    // Forces jump in here: a fixed step gets over it, the longer the more of them come in a row.  Where surfaces touch a
+    // stride does: forces of contact are without bound where friction jams.
     log_.note(DiagnosticKind::interval_missed, from);
     copy(start_, y_);
     fresh_ = by_rows_ = true;
+    jumps_ = !held_.empty();
+    if (jumps_) return 0;
     span = std::min(span, std::ldexp(least_rest * dt_, rough_++));
   }
   fixed_step(from, span);

@@ -178,6 +178,7 @@ class EventStepper final : public Stepper, private Holder {
   std::size_t ended_ = 0;       // and of which candidate it was
   int idle_ = 0;                // events in a row that took no time
   int rough_ = 0;               // pieces in a row that error control could not take
+  bool jumps_ = false;          // the last one of what touches
   bool fresh_ = true;           // the state or what is held has changed since controlled_'s last step
   bool by_rows_ = false;        // the last piece was a fixed step
   int rounds_ = 0;              // events and pieces since marked_

@@ -190,12 +190,8 @@ std::optional<Real> EventStepper::meeting_time(const Candidate& c, bool held, Ti
   const Real g_start = began + level, g_end = gap_of(c, model, end) + level;
   const bool ends_inside = g_end < level - depth;
   const bool smooth = c.kind != Candidate::Kind::general;
-  if (inside && smooth) {
-    if (ends_inside && passage_.span() <= span && approaches(c, model, end)) return span;
-    return std::nullopt;
-  }
-  if (inside && passage_.stays_on_face(c, model, held, depth)) return std::nullopt;
-  const Real slack = smooth ? Real(0) : depth - level;
+  if (inside && !smooth && passage_.stays_on_face(c, model, held, depth)) return std::nullopt;
+  const Real slack = inside || !smooth ? depth - level : Real(0);
   const auto gap_after = [&](Real s) {
     part(from, s);
     return gap_of(c, model, motions()) + level;
@@ -212,15 +208,20 @@ std::optional<Real> EventStepper::meeting_time(const Candidate& c, bool held, Ti
   const auto meeting = [&](Real low, Real g_low, Real high, Real g_high) {
     if (g_low > (low > 0 ? Real(0) : nothing)) {
       const Real hit = root(gap_after, low, g_low, high, g_high);
-      if (!smooth) return hit;
+      if (!smooth || inside) return hit;
       low = hit;
     }
     if (smooth) {
       const Real u_low = rate_after(low), u_high = rate_after(high);
-      return u_low > 0 && u_high < 0 ? root(rate_after, low, u_low, high, u_high) : low;
+      const bool flies = u_low > 0 && u_high < 0;
+      if (!inside && !flies) return low;
+      if (flies) {
+        const Real top = root(rate_after, low, u_low, high, u_high), g_top = inside ? gap_after(top) : 0;
+        return g_top > 0 ? root(gap_after, top, g_top, high, g_high) : top;
+      }
     }
     Real fallen = high, g_fallen = g_high;
-    for (int i = 0; i < most_halvings; ++i) {
+    for (int i = 0; i < most_halvings && !smooth; ++i) {
       const Real middle = low + (fallen - low) / 2, g = gap_after(middle);
       if (g > 0) return root(gap_after, middle, g, fallen, g_fallen);
       fallen = middle, g_fallen = g;
