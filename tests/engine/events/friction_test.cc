@@ -1,8 +1,6 @@
 // Friction of any size never adds energy, in sliding and in sticking.
 #include "tests/engine/contact/contact_fixtures.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <string>
 #include <variant>
@@ -111,7 +109,7 @@ TEST(EventFriction, CornerImpactAddsNoEnergy) {
   for (const Real mu : {Real(0.2), Real(1), Real(30), Real(1e6)})
     for (const bool ball : {false, true})
       expect_no_rise(corner(mu, ball, {2, -1, 1.5}, {3, -2, 1}),
-                     fmt::format("{} {}", static_cast<double>(mu), ball ? "ball" : "box"));
+                     std::to_string(mu) + (ball ? " ball" : " box"));
 }
 
 // Friction that jams a ball has no bound, and jumps: steps over the jump at which error control gave up gave a third of
@@ -120,7 +118,7 @@ TEST(EventFriction, JamsAddNoEnergy) {
   for (int k = 0; k < 16; ++k) {
     const Real x = Real(0.02) * static_cast<Real>(k);
     expect_no_rise(corner(Real(1e6), true, {2 + x, -1 - x / 3, Real(1.5) - x / 2}, {3 - x, -2 + 2 * x, 1}),
-                   fmt::format("throw {}", k));
+                   "throw " + std::to_string(k));
   }
 }
 
