@@ -52,3 +52,6 @@ set_source_files_properties(reports/provenance.cc PROPERTIES COMPILE_DEFINITIONS
 if(EXISTS ${PROJECT_SOURCE_DIR}/.git/logs/HEAD)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/.git/logs/HEAD)
 endif()
+
+# Libraries beside a program are found from where it is: the folder of the build is in no program that is installed.
+set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)

@@ -131,9 +131,10 @@ void LineFile::open(bool append) {
 
 void LineFile::add(const json& object, Disk disk) {
   if (fd_ < 0) return;
-  json sealed = object;
-  sealed["seal"] = seal::seal(purpose(), text_of(object));
-  if (!write_all(fd_, text_of(sealed) + '\n'))
+  std::string line = text_of(object);
+  const std::string mac = text_of(seal::seal(purpose(), line));
+  line.insert(line.size() - 1, (line.size() > 2 ? ",\"seal\":" : "\"seal\":") + mac);
+  if (!write_all(fd_, line + '\n'))
     give_up(errno);
   else if (disk == Disk::now)
     synchronise();

@@ -23,16 +23,18 @@ using nlohmann::json;
 struct File {
   fs::path path;
   std::optional<Part> part;
-  std::vector<std::pair<std::string, json>> lines;  // by key, in the order of the file
+  std::vector<std::pair<std::string, Result>> results;  // by key, in the order of the file
   std::size_t strange = 0;
 };
 
 // Throws std::exception for a line that holds no result.
-void require_result(const json& line) {
+Result result_of(const json& line) {
+  Result result{line, {}};
   if (line.contains("cell")) static_cast<void>(line.at("cell").get_ref<const std::string&>());
-  if (!line.contains("verdicts")) return;
+  if (!line.contains("verdicts")) return result;
   for (const json& verdict : line.at("verdicts").get_ref<const json::array_t&>())
-    static_cast<void>(reports::from_json_line(verdict.get_ref<const std::string&>()));
+    result.verdicts.push_back(reports::from_json_line(verdict.get_ref<const std::string&>()));
+  return result;
 }
 
 // What reads a file line by line, and says how many lines are strange.
@@ -44,13 +46,12 @@ File read(const fs::path& path, const Reader& reader) {
     if (line.contains("part"))
       file.part = part_from(line);
     else if (!line.contains("request")) {
-      require_result(line);
-      file.lines.emplace_back(line.at("key").get<std::string>(), line);
+      file.results.emplace_back(line.at("key").get<std::string>(), result_of(line));
     }
   });
   if (file.part && file.part->command == "run")
     file.strange +=
-        std::erase_if(file.lines, [](const auto& line) { return !line.second.contains("verdicts"); });
+        std::erase_if(file.results, [](const auto& one) { return !one.second.line.contains("verdicts"); });
   return file;
 }
 
@@ -134,20 +135,21 @@ Union union_of(std::vector<File> files, Part part) {
   std::map<std::string, std::size_t> source;  // of each line
   for (std::size_t f = 0; f < files.size(); ++f) {
     all.strange += files[f].strange;
-    for (auto& [key, line] : files[f].lines) {
-      const auto [there, is_new] = all.lines.try_emplace(key, std::move(line));  // stays where it is not new
+    for (auto& [key, result] : files[f].results) {
+      const auto [there, is_new] =
+          all.results.try_emplace(key, std::move(result));  // stays where it is not new
       if (is_new) {
         source[key] = f;
         continue;
       }
-      std::string why = contradiction(files[source[key]], there->second, files[f], line);
+      std::string why = contradiction(files[source[key]], there->second.line, files[f], result.line);
       if (!why.empty()) all.contradictions.push_back(std::move(why));
     }
   }
   all.part = std::move(part);
   all.part.index = all.part.count = 1;
   std::ranges::copy_if(all.part.units, std::back_inserter(all.missing),
-                       [&](const Unit& unit) { return !all.lines.contains(unit.key); });
+                       [&](const Unit& unit) { return !all.results.contains(unit.key); });
   return all;
 }
 
@@ -193,8 +195,9 @@ void write(const Union& all, const fs::path& place) {
       if (written.insert(key).second) file.add(line, LineFile::Disk::later);
     };
     for (const Unit& unit : all.part.units)
-      if (const auto found = all.lines.find(unit.key); found != all.lines.end()) add(unit.key, found->second);
-    for (const auto& [key, line] : all.lines) add(key, line);
+      if (const auto found = all.results.find(unit.key); found != all.results.end())
+        add(unit.key, found->second.line);
+    for (const auto& [key, result] : all.results) add(key, result.line);
     file.synchronise();
     if (!lock.is_open() || !file.is_open())
       throw core::InputError(fmt::format("{}: cannot be written", place.string()));

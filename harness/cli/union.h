@@ -2,6 +2,7 @@
 #pragma once
 
 #include "harness/cli/part.h"
+#include "harness/results/verdict.h"
 
 #include <nlohmann/json.hpp>
 
@@ -14,11 +15,17 @@
 
 namespace cylon::cli {
 
+/// What a journal holds of a unit, and the verdicts in it.
+struct Result {
+  nlohmann::json line;
+  std::vector<results::Verdict> verdicts;
+};
+
 /// Of any journals of one question in any order, also of some again, and of unions: the same.
 struct Union {
-  Part part;                                    ///< The whole: 1 of 1.
-  std::map<std::string, nlohmann::json> lines;  ///< By key, each as the first file has it.
-  std::vector<Unit> missing;                    ///< In the order of the units.
+  Part part;                              ///< The whole: 1 of 1.
+  std::map<std::string, Result> results;  ///< By key, each as the first file has it.
+  std::vector<Unit> missing;              ///< In the order of the units.
   /// Where two files disagree on what does not depend on time: "heavy_top bullet 1/60: /verdicts/0/measured is 2
   /// in a.jsonl and 3 in b.jsonl".  The same input must give the same bits, so that each is a finding.
   std::vector<std::string> contradictions;

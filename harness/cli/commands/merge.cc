@@ -37,17 +37,16 @@ void list(const std::string& what, const std::vector<std::string>& lines) {
 std::vector<results::Verdict> verdicts_of(const Union& all) {
   std::vector<results::Verdict> rows;
   for (const Unit& unit : all.part.units)
-    if (const auto found = all.lines.find(unit.key); found != all.lines.end())
-      for (const auto& text : found->second.at("verdicts"))
-        rows.push_back(reports::from_json_line(text.get<std::string>(), unit.name));
+    if (const auto found = all.results.find(unit.key); found != all.results.end())
+      rows.insert(rows.end(), found->second.verdicts.begin(), found->second.verdicts.end());
   return rows;
 }
 
 std::vector<std::string> without_verdicts(const Union& all) {
   std::vector<std::string> names;
   for (const Unit& unit : all.part.units)
-    if (const auto found = all.lines.find(unit.key);
-        found != all.lines.end() && found->second.at("verdicts").empty())
+    if (const auto found = all.results.find(unit.key);
+        found != all.results.end() && found->second.verdicts.empty())
       names.push_back(unit.name);
   return names;
 }
