@@ -9,7 +9,7 @@
 # steps.  Such cells take some 30 ms each, of which starting an engine is the greater part: what sharing costs shows most.
 set -euo pipefail
 cylon=$(realpath "${1:-build/release/cylon}")
-rounds=${2:-1} count=${3:-334}
+rounds=${2:-1} count=${3:-334} coarsest=${COARSEST:-400}
 shift $(($# < 3 ? $# : 3))
 [ $# -gt 0 ] || set -- slide_to_roll two_sphere_head_on two_sphere_oblique bouncing_sphere_quarter sphere_threshold_slips \
   slipping_sphere_incline two_sphere_head_on_half rough_ball_bounce near_miss spring_damper \
@@ -19,7 +19,7 @@ trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
-steps=$(for n in $(seq 1 "$count"); do echo "--dt 1/$((400 + n))"; done)
+steps=$(for n in $(seq 1 "$count"); do echo "--dt 1/$((coarsest + n))"; done)
 one() { "$cylon" run "$@" $steps -j2 --json one.json >/dev/null 2>one.err || [ $? -le 2 ]; }
 shards() {
   seq 1 8 | xargs -P 2 -I K sh -c '"$@" --shard K/8 -j1 >/dev/null 2>K.err || [ $? -le 2 ]' sh "$cylon" run "$@" $steps
