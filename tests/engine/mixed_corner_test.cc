@@ -26,7 +26,8 @@ MixedScene corner_scene(std::uint32_t number) {
 }
 
 // How deep anything is inside anything [m]; infinite where that is no number.
-Real deepest(const Model& model, const std::vector<Candidate>& candidates, const std::vector<Motion>& motions) {
+Real deepest(const Model& model, const std::vector<Candidate>& candidates,
+             const std::vector<Motion>& motions) {
   Real depth = 0;
   for (const Candidate& c : candidates) {
     if (is_of_joint(c)) continue;
@@ -58,7 +59,8 @@ TEST(MixedCorners, SinkNowhereUnsaid) {
         return remark.find("over a short time") != std::string::npos;
       });
       EXPECT_TRUE(depth < 1 && (gave_up(run) || was_stepped(run) || strode))
-          << k << " is " << depth << " m deep after " << step + 1 << " steps:" << scene.text << told(";", run);
+          << k << " is " << depth << " m deep after " << step + 1 << " steps:" << scene.text
+          << told(";", run);
       ++said;
       break;
     }
