@@ -75,7 +75,13 @@ inline void add_forces(Dice& dice, Model& m, std::string& text) {
     m.forces.gravity = {dice.between(-1, 1), dice.between(-9, -3), dice.between(-1, 1)}, text += " gravity";
   if (dice.one_in(4)) {
     const int a = some_body(), b = other(a);
-    Spring s{a, Vector3::Zero(), b, Vector3::Zero(), dice.between(1, 20), dice.one_in(2) ? dice.between(Real(0.2), 1) : 0, 0};
+    Spring s{a,
+             Vector3::Zero(),
+             b,
+             Vector3::Zero(),
+             dice.between(1, 20),
+             dice.one_in(2) ? dice.between(Real(0.2), 1) : 0,
+             0};
     if (dice.one_in(2)) s.anchor = dice.vector(Real(0.2));
     s.to_anchor = b == fixed_world ? Vector3(dice.vector(2))
                   : dice.one_in(2) ? Vector3(dice.vector(Real(0.2)))
