@@ -12,7 +12,8 @@ namespace {
 constexpr Real dependent = 4096 * epsilon;
 
 // Joints that are open by more than this part of their rounding: each body makes one turn for all rows, as large turns that
-// cancel in sum leave their commutators where they are made one after another.
+// cancel in sum leave their commutators where they are made one after another.  Of smaller ones these are the square of 1e-7
+// (single precision: 1e-3), which the next round closes.
 constexpr Real far_from_closed = epsilon < Real(1e-10) ? Real(1e9) : Real(1e4);
 
 void push(const Row& row, int body, Real sign, const Vector3& lever, const std::vector<Body>& bodies,
@@ -138,37 +139,28 @@ void Rows::project_positions(const std::vector<Body>& bodies, Motion* motion) {
   measure(bodies, motion);
   for (Row& row : rows) row.residual = row.offset;
   solve();
-  const auto each_end = [&](const auto& visit) {
-    for (const Row& row : rows) {
-      visit(row.body, row, row.spin, row.lambda);
-      if (row.to != fixed_world) visit(row.to, row, row.to_spin, -row.lambda);
-    }
-  };
-  const auto shift = [&](int body, const Row& row, Real lambda) {
-    motion[index(body)].position += lambda * bodies[index(body)].inverse_mass * row.direction;
-  };
-  const auto turn = [&](int body, const Vector3& by) {
-    motion[index(body)].orientation = turned(motion[index(body)].orientation, by);
-  };
   const bool far = std::ranges::any_of(rows, [](const Row& row) {  // contacts state no rounding
     return row.rounding > 0 && std::abs(row.offset) > far_from_closed * row.rounding;
   });
-  if (!far) {
-    each_end([&](int body, const Row& row, const Vector3& spin, Real lambda) {
-      if (bodies[index(body)].locked) return;
-      shift(body, row, lambda);
-      turn(body, lambda * spin);
-    });
-    return;
+  std::vector<Vector3> turns(far ? bodies.size() : 0, Vector3::Zero());
+  const auto turn = [&](std::size_t body, const Vector3& by) {
+    motion[body].orientation = turned(motion[body].orientation, by);
+  };
+  const auto move = [&](int body, const Vector3& direction, const Vector3& spin, Real lambda) {
+    const std::size_t i = index(body);
+    if (bodies[i].locked) return;
+    motion[i].position += lambda * bodies[i].inverse_mass * direction;
+    if (far)
+      turns[i] += lambda * spin;
+    else
+      turn(i, lambda * spin);
+  };
+  for (const Row& row : rows) {
+    move(row.body, row.direction, row.spin, row.lambda);
+    if (row.to != fixed_world) move(row.to, row.direction, row.to_spin, -row.lambda);
   }
-  std::vector<Vector3> turns(bodies.size(), Vector3::Zero());
-  each_end([&](int body, const Row& row, const Vector3& spin, Real lambda) {
-    if (bodies[index(body)].locked) return;
-    shift(body, row, lambda);
-    turns[index(body)] += lambda * spin;
-  });
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (!turns[i].isZero(0)) turn(static_cast<int>(i), turns[i]);
+  for (std::size_t i = 0; i < turns.size(); ++i)
+    if (!turns[i].isZero(0)) turn(i, turns[i]);
 }
 
 void Rows::project_velocities(const std::vector<Body>& bodies, Motion* motion) {

@@ -213,18 +213,19 @@ std::optional<Real> EventStepper::meeting_time(const Candidate& c, bool held, Ti
     }
     if (smooth) {
       const Real u_low = rate_after(low), u_high = rate_after(high);
-      const bool flies = u_low > 0 && u_high < 0;
-      if (!inside && !flies) return low;
-      if (flies) {
-        const Real top = root(rate_after, low, u_low, high, u_high), g_top = inside ? gap_after(top) : 0;
+      if (u_low > 0 && u_high < 0) {
+        const Real top = root(rate_after, low, u_low, high, u_high),
+                   g_top = inside ? gap_after(top) : Real(0);
         return g_top > 0 ? root(gap_after, top, g_top, high, g_high) : top;
       }
-    }
-    Real fallen = high, g_fallen = g_high;
-    for (int i = 0; i < most_halvings && !smooth; ++i) {
-      const Real middle = low + (fallen - low) / 2, g = gap_after(middle);
-      if (g > 0) return root(gap_after, middle, g, fallen, g_fallen);
-      fallen = middle, g_fallen = g;
+      if (!inside) return low;
+    } else {
+      Real fallen = high, g_fallen = g_high;
+      for (int i = 0; i < most_halvings; ++i) {
+        const Real middle = low + (fallen - low) / 2, g = gap_after(middle);
+        if (g > 0) return root(gap_after, middle, g, fallen, g_fallen);
+        fallen = middle, g_fallen = g;
+      }
     }
     const auto deeper = [&](Real s) { return gap_after(s) + slack; };
     return g_low + slack > 0 && g_high + slack < 0 ? root(deeper, low, g_low + slack, high, g_high + slack)

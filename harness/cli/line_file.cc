@@ -131,7 +131,8 @@ void LineFile::open(bool append) {
 
 void LineFile::add(const json& object, Disk disk) {
   if (fd_ < 0) return;
-  std::string line = text_of(object);
+  std::string line =
+      text_of(object);  // once: what is sealed, and, with the seal as its last key, what is written
   const std::string mac = text_of(seal::seal(purpose(), line));
   line.insert(line.size() - 1, (line.size() > 2 ? ",\"seal\":" : "\"seal\":") + mac);
   if (!write_all(fd_, line + '\n'))

@@ -65,8 +65,9 @@ TEST(MixedCorners, SinkNowhereUnsaid) {
       break;
     }
   }
+  testing::Test::RecordProperty("said", said);
   EXPECT_GE(looked, 80);
-  EXPECT_LE(said, looked / 3) << "events are left out too often";
+  EXPECT_LE(said, looked / 6) << "events are left out too often: 10 of these scenes rattle between walls";
 }
 
 }  // namespace

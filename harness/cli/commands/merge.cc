@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <memory>
 
 namespace cylon::cli {
@@ -34,11 +35,12 @@ void list(const std::string& what, const std::vector<std::string>& lines) {
   for (const std::string& line : lines) std::cerr << "  " << plain_line(line) << '\n';
 }
 
-std::vector<results::Verdict> verdicts_of(const Union& all) {
+// Takes them out of it, as there may be many.
+std::vector<results::Verdict> take_verdicts(Union& all) {
   std::vector<results::Verdict> rows;
   for (const Unit& unit : all.part.units)
     if (const auto found = all.results.find(unit.key); found != all.results.end())
-      rows.insert(rows.end(), found->second.verdicts.begin(), found->second.verdicts.end());
+      std::ranges::move(found->second.verdicts, std::back_inserter(rows));
   return rows;
 }
 
@@ -52,8 +54,8 @@ std::vector<std::string> without_verdicts(const Union& all) {
 }
 
 // The reports of a run, from its rows alone.
-int report(const Context& context, const Options& options, const Union& all, const scenario::Suite& suite) {
-  const std::vector<results::Verdict> rows = verdicts_of(all);
+int report(const Context& context, const Options& options, Union& all, const scenario::Suite& suite) {
+  const std::vector<results::Verdict> rows = take_verdicts(all);
   reports::Provenance provenance = provenance_now(context);
   if (!rows.empty()) provenance.tolerance_scale = rows.front().tolerance_scale;
   const std::vector<std::string> files = options.reports();
@@ -71,7 +73,7 @@ int report(const Context& context, const Options& options, const Union& all, con
 int merge(const Context& context, const Options& options) {
   require_writable(options.reports());
   const std::vector<std::filesystem::path> files(options.files.begin(), options.files.end());
-  const Union all = unite(files);
+  Union all = unite(files);
   const std::string& command = all.part.command;
   if (command != "run" && options.reports() != Options().reports())
     throw core::InputError(
