@@ -90,7 +90,8 @@ const std::array<DiagnosticRow, static_cast<std::size_t>(DiagnosticKind::count)>
     {K::wedged, "wedged", "", "",
      "at {count} instants, from t = {since} s on, friction grew without bound: an impulse stopped the slip"},
     {K::crawled, "crawled", "", "m/s",
-     "at {count} instants, from t = {since} s on, contacts stuck and slipped in turn without end: an impulse "
+     "at {count} instants, from t = {since} s on, contacts stuck and slipped in turn without end, or "
+     "friction jammed: an impulse "
      "within the friction cones took them over a short time, to {reached} m/s of the law"},
     {K::slip_turned_late, "slip-turned-late", "", "m/s",
      "from t = {since} s on friction turned slips slower than {reached} m/s late: velocities after such a "
