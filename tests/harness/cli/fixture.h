@@ -42,9 +42,10 @@ class CommandLine : public testing::Test {
     return read(std::filesystem::path(source_dir) / "scenarios" / (name + ".toml"));
   }
 
-  /// A shell line in the folder, with `cylon` in PATH and no terminal; SIGINT as soon as `interrupt_when`
+  /// A shell line in the folder, with `cylon` in PATH and no terminal; `signal` as soon as `interrupt_when`
   /// says.
-  Ran shell(const std::string& line, const std::function<bool()>& interrupt_when = {}) const {
+  Ran shell(const std::string& line, const std::function<bool()>& interrupt_when = {},
+            int signal = SIGINT) const {
     const std::string script = "cd '" + folder.string() +
                                "' || exit 99; unset GTEST_SHARD_INDEX GTEST_TOTAL_SHARDS TEST_SHARD_INDEX "
                                "TEST_TOTAL_SHARDS ${!SLURM_ARRAY_TASK_*}; "
@@ -65,7 +66,7 @@ class CommandLine : public testing::Test {
     bool ended = false;
     while (interrupt_when && !interrupt_when() && !(ended = ::waitpid(pid, &status, WNOHANG) == pid))
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    if (interrupt_when && !ended) ::kill(pid, SIGINT);
+    if (interrupt_when && !ended) ::kill(pid, signal);
     if (!ended) ::waitpid(pid, &status, 0);
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read(out), read(err)};
   }

@@ -22,9 +22,10 @@ class Interruption : public CommandLine {
   }
   // An engine that tells that it is at work, and then never ends.
   static std::string slow(const std::string& at = "run") { return worker("slow", "says_and_loops_in_" + at); }
-  // SIGINT once that engine runs.
-  Ran at_work(const std::string& arguments) const {
-    return shell("exec cylon " + arguments, [&] { return std::filesystem::exists(folder / "at_work"); });
+  // The signal once that engine runs.
+  Ran at_work(const std::string& arguments, int signal = SIGINT) const {
+    return shell(
+        "exec cylon " + arguments, [&] { return std::filesystem::exists(folder / "at_work"); }, signal);
   }
   bool nothing_but(const std::vector<std::string>& names) const {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -51,8 +52,7 @@ TEST_F(Interruption, OfOneResultLeavesNoFile) {
 }
 
 TEST_F(Interruption, BySigterm) {
-  const Ran ran = shell(
-      "timeout --preserve-status -s TERM 3 cylon simulate projectile --engine slow --out s.csv" + slow());
+  const Ran ran = at_work("simulate projectile --engine slow --out s.csv" + slow(), SIGTERM);
   EXPECT_EQ(ran.code, 130) << ran.err;
   EXPECT_EQ(ran.err, "interrupted\n");
   EXPECT_TRUE(nothing_but({"at_work"}));
