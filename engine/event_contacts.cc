@@ -35,6 +35,10 @@ constexpr Real lowest_bounce = Real(0.25);
 // Points of a general pair that are held count as touching up to so many margins.
 constexpr Real held_margin = 128;
 
+// Forces that are off the laws by less than this part of what accelerates are not given up: where points that jam each other
+// begin to slip all at once, which way they do is known to no more.
+constexpr Real nearly_exact = is_double ? Real(1e-4) : Real(1e-3);
+
 // Bound on the speed of any point of a body [m/s].
 Real surface_speed(const Body& body, const Motion& m, Real size) {
   return velocity(body, m).norm() + (rotates(body) ? size * angular_velocity(body, m).norm() : 0);
@@ -216,7 +220,7 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
     touching[i].returns =
         touches[i].restitution == 0 && outcome.approach[i] == 0 && u > 0 && u * u < 2 * pulls[i] * low;
   }
-  if (!outcome.exact)
+  if (!outcome.exact && outcome.violation > *std::ranges::max_element(rounding))
     log_.note(DiagnosticKind::impacts_inexact, now, {}, static_cast<double>(outcome.violation));
   if (!outcome.ended) log_.note(DiagnosticKind::impacts_unending, now, most_impact_rounds);
 
@@ -320,12 +324,12 @@ void EventStepper::hold_spots(Time now, const std::vector<Spot>& touching) {
 
   std::vector<std::size_t> which;
   ContactForces support = find_holds(touching, slow, which);
-  if (!support.exact) {  // jams: see loosen()
+  if (!support.exact && support.violation > nearly_exact * push) {  // jams: see loosen()
     for (const std::size_t i : which) restless_[touching[i].held.candidate] = 1;
     if (loosen(now)) support = find_holds(touching, slow, which);
-    if (!support.exact)
-      log_.note(DiagnosticKind::forces_inexact, now, {}, static_cast<double>(support.violation));
   }
+  if (!support.exact)
+    log_.note(DiagnosticKind::forces_inexact, now, {}, static_cast<double>(support.violation));
   held_.clear();
   for (std::size_t i = 0; i < which.size(); ++i) {
     if (support.points[i].holding.grip == Grip::parts) continue;

@@ -35,6 +35,8 @@ constexpr Real left_ulps = 1e4;
 // ... and this many times the slip that is turned less than it should be: going on there, in a direction that
 // is wrong, would end and begin without end.  Slip that begins there may at first go back by twice that.
 constexpr Real left_slow = 2;
+// Slip slower than this part of that has just begun.
+constexpr Real just_begun = Real(1e-3);
 
 // Whether surfaces that are inside each other approach still.
 bool approaches(const Candidate& c, const Model& model, const Motion* motion) {
@@ -181,7 +183,7 @@ std::optional<Real> EventStepper::meeting_time(const Candidate& c, bool held, Ti
   const Real least = held ? 64 * margin : margin / 4;
   work_ += 2 * static_cast<std::int64_t>(system_.count());
   if (held && only_held_touches(c, begin, end)) return std::nullopt;
-  if (passage_.stays_on_face(c, model, held, least)) return std::nullopt;
+  if (passage_.stays_on_face(c, model, held, least, 0, passage_.span())) return std::nullopt;
   const Real began = gap_of(c, model, begin);
   const bool inside = began < -least;
   if (inside && !instant_ && approaches(c, model, begin)) return Real(0);
@@ -190,7 +192,8 @@ std::optional<Real> EventStepper::meeting_time(const Candidate& c, bool held, Ti
   const Real g_start = began + level, g_end = gap_of(c, model, end) + level;
   const bool ends_inside = g_end < level - depth;
   const bool smooth = c.kind != Candidate::Kind::general;
-  if (inside && !smooth && passage_.stays_on_face(c, model, held, depth)) return std::nullopt;
+  if (inside && !smooth && passage_.stays_on_face(c, model, held, depth, 0, passage_.span()))
+    return std::nullopt;
   const Real slack = inside || !smooth ? depth - level : Real(0);
   const auto gap_after = [&](Real s) {
     part(from, s);
@@ -296,6 +299,15 @@ std::optional<Look> below_zero(Function&& f, Look low, Look middle, Look high) {
 
 }  // namespace
 
+// How far below zero slip ends that is so fast at the start of a piece.  What is far slower than friction turns as it should has
+// just begun, and its rounding says nothing: that friction still holds it is seen where it goes back.
+Real EventStepper::slip_left(const HeldPoint& held, Real speed) const {
+  const bool of_joint = is_of_joint(candidates_[held.candidate]);
+  if (speed > (of_joint ? Real(0) : just_begun * slow_slip_)) return 0;
+  if (speed > 0) return slow_slip_;
+  return of_joint ? 2 * held.slow : std::max(rest_speed_, 2 * left_slow * slow_slip_);
+}
+
 // The first time within the piece at which a held point would pull, slip or stop slipping.
 std::optional<Real> EventStepper::change_time(Time from, Real span, const ContactForces& before) {
   const ContactForces after = support(from + static_cast<Time>(span), end_.data());
@@ -366,11 +378,7 @@ std::optional<Real> EventStepper::change_time(Time from, Real span, const Contac
     look(i, What::presses, least);
     if (held_[i].holding.grip == Grip::sticks) look(i, What::reserve, 2 * least);
     if (held_[i].holding.grip == Grip::slides && rough)
-      look(i, What::slip,
-           before.points[i].slip_speed > 0 ? 0
-           : is_of_joint(candidates_[held_[i].candidate])
-               ? 2 * held_[i].slow
-               : std::max(rest_speed_, 2 * left_slow * slow_slip_));
+      look(i, What::slip, slip_left(held_[i], before.points[i].slip_speed));
   }
   // Points that leave their facets: others touch there.
   const Motion *begin = system_.motions(start_.data()), *end = system_.motions(end_.data());

@@ -11,7 +11,7 @@ namespace cylon::engine {
 namespace {
 
 // Of a pair that grazes along, parts narrower than this one of the span are not searched further.
-constexpr Real least_part = Real(1) / 128;
+constexpr Real least_part = Real(1) / 128, least_corner_part = Real(1) / (1 << 20);
 
 Vector3 logarithm(const Quaternion& q) {
   const Quaternion p = q.w() < 0 ? Quaternion(-q.coeffs()) : q;
@@ -211,7 +211,7 @@ Passage::Place Passage::place(const Leg& leg, Real s) const {
 }
 
 bool Passage::stays_above(const Leg& carrier, const Shape& shape, const Leg& visitor, const Shape& above,
-                          bool held, Real depth) const {
+                          bool held, Real depth, Real begin, Real end) const {
   const Core below(shape), over(above);
   const Real radii = below.radius + over.radius;
   struct End {
@@ -237,15 +237,15 @@ bool Passage::stays_above(const Leg& carrier, const Shape& shape, const Leg& vis
   for (std::size_t k = 0; k < 5; ++k)
     fourth += binomial[k] * c.r[k] * (apart[4 - k] + over.size * v.r[4 - k]);
   // So many parts that what is not known of each is half the depth.
-  const Real whole = span_ * span_ * span_ * span_ / 384 * fourth;
+  const Real all = end - begin, whole = all * all * all * all / 384 * fourth;
   const Real wanted = std::ceil(std::sqrt(std::sqrt(2 * whole / depth)));
   constexpr int most_parts = 16;  // where more are wanted the bound says nothing, and the search goes on
   if (!(wanted <= most_parts)) return false;
   const int parts = std::max(1, static_cast<int>(wanted));
-  const Real n = static_cast<Real>(parts), width = span_ / n, curved = whole / (n * n * n * n);
+  const Real n = static_cast<Real>(parts), width = all / n, curved = whole / (n * n * n * n);
   std::array<End, most_parts + 1> ends;
   for (int i = 0; i <= parts; ++i) {
-    const Real s = i == parts ? span_ : static_cast<Real>(i) * width;
+    const Real s = i == parts ? end : begin + static_cast<Real>(i) * width;
     ends[static_cast<std::size_t>(i)] = {place(carrier, s), place(visitor, s)};
   }
   const auto stays = [&](int face) {
@@ -253,7 +253,7 @@ bool Passage::stays_above(const Leg& carrier, const Shape& shape, const Leg& vis
       const Vector3& x = over.vertices[k];
       Real f = height(ends[0], face, x);
       const auto rests = [&](const End& e) {
-        return std::max(std::abs(height(e, face, x)), span_ * std::abs(rate(e, face, x))) < depth;
+        return std::max(std::abs(height(e, face, x)), all * std::abs(rate(e, face, x))) < depth;
       };
       if (held && rests(ends[0]) && rests(ends[static_cast<std::size_t>(parts)])) continue;
       for (int i = 0; i < parts; ++i) {
@@ -272,11 +272,25 @@ bool Passage::stays_above(const Leg& carrier, const Shape& shape, const Leg& vis
   return false;
 }
 
-bool Passage::stays_on_face(const Candidate& c, const Model& model, bool held, Real depth) const {
+bool Passage::stays_on_face(const Candidate& c, const Model& model, bool held, Real depth, Real from,
+                            Real to) const {
   if (c.kind != Candidate::Kind::general) return false;
   const std::size_t a = index(c.body), b = index(c.other);
-  return stays_above(legs_[b], model.shapes[b], legs_[a], model.shapes[a], held, depth) ||
-         stays_above(legs_[a], model.shapes[a], legs_[b], model.shapes[b], held, depth);
+  return stays_above(legs_[b], model.shapes[b], legs_[a], model.shapes[a], held, depth, from, to) ||
+         stays_above(legs_[a], model.shapes[a], legs_[b], model.shapes[b], held, depth, from, to);
+}
+
+Real Passage::least_height(const Candidate& c, const Plane& plane, Real from, Real to) const {
+  const Leg& leg = legs_[index(c.body)];
+  const Real w = to - from;
+  const auto end = [&](Real s, Real outward) {  // the lower one of f and of where its tangent is at w/3
+    const Place place = this->place(leg, s);
+    const Vector3 arm = place.turn * c.centre;
+    const Real f = plane.normal.dot(place.p + arm) - plane.offset - c.radius;
+    return std::min(f, f + outward * w / 3 * plane.normal.dot(place.v + place.w.cross(arm)));
+  };
+  const Real least = std::min(end(from, 1), end(to, -1));
+  return least - w * w * w * w / 384 * c.centre.norm() * growth(leg).r[4];
 }
 
 std::optional<Bracket> first_closing(const Candidate& c, const Model& model, const Passage& passage,
@@ -310,14 +324,20 @@ std::optional<Bracket> first_closing(const Candidate& c, const Model& model, con
     const bool apart =
         p.g_a + p.g_b - v * w > 0 || (smooth && std::min(p.g_a, p.g_b) - b * w * w / 8 > -margin);
     if (apart) continue;
+    const bool corner = c.kind == Candidate::Kind::corner && std::min(p.g_a, p.g_b) > -margin;
+    const Real height = corner ? passage.least_height(c, model.planes[index(c.plane)], p.a, p.b) : 0;
+    if (corner && height > -margin) continue;
     const bool narrow = w < span / 16;
+    if (narrow && !smooth && std::min(p.g_a, p.g_b) > -margin &&
+        passage.stays_on_face(c, model, false, margin, p.a, p.b))
+      continue;
     if (narrow && p.g_a >= -margin && p.g_b < -margin) return Bracket{p.a, p.b};
     if (narrow && p.g_a < -margin && p.g_b < -margin) continue;
     // Else it may pass, in a part of this one.  What is no number grazes: it would be parted down to rounding everywhere.
     const bool grazes = !(std::max(p.g_a, p.g_b) >= v * w / 8);
-    if ((w <= span * least_part && grazes) || w < span * 64 * epsilon) {
+    if ((w <= span * (corner ? least_corner_part : least_part) && grazes) || w < span * 64 * epsilon) {
       const Real by_rate = (v * w - p.g_a - p.g_b) / 2, by_change = b * w * w / 8 - std::min(p.g_a, p.g_b);
-      unseen = std::max(unseen, smooth ? std::min(by_rate, by_change) : by_rate);
+      unseen = std::max(unseen, corner ? -height : smooth ? std::min(by_rate, by_change) : by_rate);
       continue;
     }
     const Real middle = p.a + w / 2, g = gap(middle);

@@ -35,11 +35,13 @@ class Passage {
   Real change_bound(const Candidate&) const;
   /// A bound on how fast a body turns [rad/s].
   Real spin_bound(std::size_t body) const;
-  /// Whether one of two polytopes stays above one face of the other, by more than -depth [m], all the way: what
-  /// rests or slides on a face does, at gap 0.  With f the height of a vertex of one over the face and w the span,
+  /// Whether one of two polytopes stays above one face of the other, by more than -depth [m], from one time to another: what
+  /// rests or slides on a face does, at gap 0.  With f the height of a vertex of one over the face and w the time,
   ///   f >= min(f_0, f_0 + w f_0'/3, f_w - w f_w'/3, f_w) - w^4/384 max |f^(4)|,
-  /// in up to 16 parts of the span.  Of a pair that is `held`, vertices on the face at both ends are held there.
-  bool stays_on_face(const Candidate&, const Model&, bool held, Real depth) const;
+  /// in up to 16 parts.  Of a pair that is `held`, vertices on the face at both ends are held there.
+  bool stays_on_face(const Candidate&, const Model&, bool held, Real depth, Real from, Real to) const;
+  /// A bound on the gap of a corner over its plane between two times of the span [m], f its height as above.
+  Real least_height(const Candidate&, const Plane&, Real from, Real to) const;
 
  private:
   struct Leg {
@@ -55,7 +57,7 @@ class Passage {
   Place place(const Leg&, Real s) const;
   Growth growth(const Leg&) const;
   bool stays_above(const Leg& carrier, const Shape&, const Leg& visitor, const Shape& above, bool held,
-                   Real depth) const;
+                   Real depth, Real begin, Real end) const;
 
   std::vector<Leg> legs_;
   std::size_t count_ = 0;
@@ -70,9 +72,10 @@ struct Bracket {
 /// The first time from `from` on at which a candidate's gap falls below -margin, bracketed, or nothing. Parts
 /// of the span are left out only where the gap cannot close: in them it lies above
 ///   (g_a + g_b - V w)/2   and, for one smooth point,   min(g_a, g_b) - B w^2/8,
-/// V and B the bounds on the gap's rate and its change, w the width; and where it is closed at both ends of a
-/// short part.  `start_rate`: the gap's rate at 0 [m/s].  Parts of 1/128 of the span are not searched
-/// further; `unseen` is raised to how deep the surfaces may be in each other in one of them [m].
+/// V and B the bounds on the gap's rate and its change, w the width, or, of a corner, above least_height(); and where it
+/// is closed at both ends of a short part.  `start_rate`: the gap's rate at 0 [m/s].  Parts of 1/128 of the span, of
+/// corners of 1e-6 of it, are not searched further; `unseen` is raised to how deep the surfaces may be in each other in
+/// one of them [m].
 std::optional<Bracket> first_closing(const Candidate&, const Model&, const Passage&, Real from,
                                      Real start_rate, Real margin, std::vector<Motion>& scratch,
                                      Real& unseen);

@@ -301,11 +301,14 @@ const std::vector<Odd> all = {
     {"stops_for_a_moment", 1e7, "", {{0, What::velocity, 0, slows_to_a_stop(6), 1e-7}}},
     {"slips_for_a_moment", 1e7, "", {{0, What::position, 0, slipped(4), 1e-7}}},
     {"lifts_for_a_moment", 1e7, "", {{0, What::position, 1, lifted(4), 1e-8}}},
-    // Stick and slip alternate without end, or contacts rattle: each took 10 to 50 s, and what was told was wrong.
-    {"box_with_ball_jams", 5e7, unknown},
+    // Two points jam each other before they slip, or contacts rattle: each took 10 to 50 s, what was told was wrong, and then
+    // the law was left.  The ends are those of steps of 0.01, 0.003 and 0.001 s, and of the path `stepping` with 300 sweeps,
+    // which comes within 0.0066, 0.0007 and 0.0001 m at 2e-5 s.
+    {"box_with_ball_jams", 5e7, "late", {{0, What::position, 0, -0.42763478, 1e-6}}},
     {"box_with_ball_slides", 3e7, "late", {{0, What::position, 0, -0.0836815039763, 1e-9}}},
-    {"box_in_a_shaken_frame", 5e7, unknown},
-    {"tetrahedron_rattles", 5e7, unknown},
+    {"box_in_a_shaken_frame", 5e7, "", {{0, What::position, 0, 0.06373440665, 1e-9}}},
+    {"tetrahedron_rattles", 5e7, "late", {{0, What::position, 0, -0.3701794920, 1e-7}}},
+    {"rod_digs_in", 5e7, unknown},
     {"weight_on_a_stop", 1e6, "", {{0, What::position, 1, 0.1, 1e-15}, {0, What::velocity, 1, 0, 0}}},
     {"hinge_chain", 2e9, not_followed, {}, "events"},
     {"jointed_boxes", 1.5e8, "is not reached", {{0, What::position, 1, 0.2, 1e-6}}, "events"},

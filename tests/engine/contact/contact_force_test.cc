@@ -93,6 +93,45 @@ TEST(ContactForce, HighBoxTips) {
   EXPECT_TRUE(s.exact);
 }
 
+// A ladder between a floor and a wall that sticks at both ends: how its two ends squeeze each other is not determined.  What
+// lies inside the cones at all is not left at their edge, where whatever moves would end it at once.
+TEST(ContactForce, SharesLieInsideTheCones) {
+  int sought = 0;
+  for (const Real mu : {0.3, 0.45, 0.7, 1.0}) {
+    for (Real lean = 0.05; lean < 1.5; lean += 0.05) {  // of the ladder from upright
+      constexpr Real half = 1, radius = 0.05;
+      const Vector3 along(-std::sin(lean), std::cos(lean), 0);
+      Model model = with_plane(Vector3::UnitY(), 0, {0, mu});
+      model.planes.push_back({Vector3::UnitX(), 0});
+      model.plane_surfaces.push_back(1);
+      const Body body = make_body(1.3, Vector3(0.4, 0.01, 0.4).asDiagonal());
+      const Vector3 at(radius + half * std::sin(lean), radius + half * std::cos(lean), 0);
+      add(model, body, Capsule{radius, half},
+          make_motion(body, at, exponential(Vector3(0, 0, lean)), Vector3::Zero(), Vector3::Zero()));
+      const ContactForces s = forces_of(model);
+      ASSERT_EQ(s.points.size(), 2u) << lean;
+      EXPECT_TRUE(s.exact) << mu << ' ' << lean;
+      if (s.points[0].holding.grip != Grip::sticks || s.points[1].holding.grip != Grip::sticks) continue;
+      EXPECT_LT((total(s) - Vector3(0, 1.3 * 9.81, 0)).norm(), 1e-11);
+      const Vector3 squeeze = (along + radius / (2 * half) * Vector3(-1, 1, 0)).normalized();
+      const bool floor_first = s.points[0].force.y() > s.points[1].force.y();
+      const Vector3 &floor = s.points[floor_first ? 0 : 1].force, &wall = s.points[floor_first ? 1 : 0].force;
+      const auto part = [&](Real t) {
+        const Vector3 f = floor + t * squeeze, w = wall - t * squeeze;
+        const Real least = std::min(f.y(), w.x());
+        return least > 0 ? std::max(std::abs(f.x()) / f.y(), std::abs(w.y()) / w.x()) / mu : Real(1e9);
+      };
+      Real best = 1e9;
+      for (Real t = -30; t < 30; t += 0.01) best = std::min(best, part(t));
+      const bool even = s.points[0].holding.share.isZero(0);
+      EXPECT_LE(part(0), even ? Real(1) : std::max(best + Real(2e-3), Real(0.9)))
+          << mu << ' ' << lean << ' ' << best;
+      ++sought;
+    }
+  }
+  EXPECT_GT(sought, 40);
+}
+
 // normal', path and curvature of round touches against central differences of touches on a free motion.
 TEST(ContactForce, RatesOfContactPoints) {
   const Shape shapes[] = {Sphere{0.4},          Box{{0.5, 0.3, 0.6}}, Box{{0.5, 0.3, 0.6}},
