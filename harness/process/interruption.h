@@ -14,6 +14,17 @@ struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
+/// Whether the work came to its end; false where it was interrupted.
+template <class Work>
+bool completes(const Work& work) {
+  try {
+    work();
+    return true;
+  } catch (const Interrupted&) {
+    return false;
+  }
+}
+
 /// While it lives, the first SIGINT or SIGTERM sets interrupted(), so that what is done can be told; a second
 /// one has its default action.  One at a time; make it after everything is read.
 class Interruptible {

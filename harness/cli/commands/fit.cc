@@ -196,41 +196,50 @@ int fit(const Context& context, const Options& options) {
   ordered_json fits = ordered_json::array(), judgements = ordered_json::array(),
                compared = ordered_json::array();
   bool failed = false;
-  for (const process::EngineChoice& engine : engines) {
-    std::vector<FitRow> of_engine;
-    for (const Fold& fold : parts) {
-      of_engine.push_back(fitted(context, options, e, engine, parameters, fold, journal));
-      failed = failed || !of_engine.back().failure.empty();
-      out << plain(told(of_engine.back(), parameters)) << std::flush;
-      fits.push_back(to_json(of_engine.back(), parameters));
+  const bool whole = process::completes([&] {
+    for (const process::EngineChoice& engine : engines) {
+      std::vector<FitRow> of_engine;
+      for (const Fold& fold : parts) {
+        of_engine.push_back(fitted(context, options, e, engine, parameters, fold, journal));
+        failed = failed || !of_engine.back().failure.empty();
+        out << plain(told(of_engine.back(), parameters)) << std::flush;
+        fits.push_back(to_json(of_engine.back(), parameters));
+      }
+      if (parts[0].by.empty()) continue;
+      judged.push_back(together(engine.id, e, of_engine, parts));
+      out << plain(told(judged.back())) << std::flush;
+      judgements.push_back(to_json(judged.back()));
     }
-    if (parts[0].by.empty()) continue;
-    judged.push_back(together(engine.id, e, of_engine, parts));
-    out << plain(told(judged.back())) << std::flush;
-    judgements.push_back(to_json(judged.back()));
-  }
+  });
   for (const Likelier& pair : likelier(judged)) {
     out << plain(told(pair));
     compared.push_back(to_json(pair));
   }
+  ordered_json document = {{"format", "cylon-fit/1"},
+                           {"title", whole ? e.title : e.title + " (interrupted: not all is fitted)"},
+                           {"source", e.source},
+                           {"licence", e.licence},
+                           {"instrument", e.instrument},
+                           {"known", e.known},
+                           {"experiment", e.hash},
+                           {"runs", e.runs.size()},
+                           {"measured_runs", measured_runs},
+                           {"step", e.model.step},
+                           {"horizon", e.fit.horizon},
+                           {"degrees", number(e.fit.degrees)},
+                           {"fits", fits},
+                           {"judged", judgements},
+                           {"likelier", compared}};
+  if (!whole) document["interrupted"] = true;
   if (!options.json.empty())
-    write_whole(options.json, ordered_json{{"format", "cylon-fit/1"},
-                                           {"title", e.title},
-                                           {"source", e.source},
-                                           {"licence", e.licence},
-                                           {"instrument", e.instrument},
-                                           {"known", e.known},
-                                           {"experiment", e.hash},
-                                           {"runs", e.runs.size()},
-                                           {"measured_runs", measured_runs},
-                                           {"step", e.model.step},
-                                           {"horizon", e.fit.horizon},
-                                           {"degrees", number(e.fit.degrees)},
-                                           {"fits", fits},
-                                           {"judged", judgements},
-                                           {"likelier", compared}}
-                                      .dump(1, ' ', true, ordered_json::error_handler_t::replace) +
-                                  "\n");
+    write_whole(options.json, document.dump(1, ' ', true, ordered_json::error_handler_t::replace) + "\n");
+  if (!whole) {
+    if (context.progress) std::cerr << "\r\x1b[K";
+    std::cerr << "interrupted: what is written holds the fits that are done; continue with the same command "
+                 "and --resume in this "
+                 "folder\n";
+    return interrupted;
+  }
   return failed ? differs : ok;
 }
 

@@ -211,7 +211,7 @@ int make_cards(const Chase& chase, const std::vector<hunt::Found>& found,
     if (chase.context.progress) std::cerr << plain_line(line) << '\n';
   };
   std::vector<WrittenCard> all;
-  for (std::size_t i = 0; i < found.size(); ++i) {
+  const auto cards_of = [&](std::size_t i) {
     const process::EngineChoice& engine = chase.engines[i];
     std::cout << plain_line(fmt::format("{}: {} of {} scenes ({}, from {}) with a fault", engine.id,
                                         found[i].hits.size(), found[i].scenes, chase.source.name(),
@@ -230,8 +230,14 @@ int make_cards(const Chase& chase, const std::vector<hunt::Found>& found,
                 << std::flush;
       all.push_back(std::move(written));
     }
-  }
-  if (!options.json.empty()) write_whole(options.json, document(all).dump(1) + '\n');
+  };
+  const bool whole = process::completes([&] {
+    for (std::size_t i = 0; i < found.size(); ++i) cards_of(i);
+  });
+  nlohmann::ordered_json made = document(all);
+  if (!whole) made["interrupted"] = true;
+  if (!options.json.empty()) write_whole(options.json, made.dump(1) + '\n');
+  if (!whole) throw process::Interrupted();
   return all.empty() ? ok : differs;
 }
 

@@ -206,20 +206,31 @@ ordered_json predicted(const Context& context, const Options& options, const Tas
                            {"kinematics", kinematics_json(e)},
                            {"drawn", measured_json(e, task.drawn)},
                            {"engines", ordered_json::array()}};
+  // Where it is interrupted the document says so, and holds the engines that are done.
+  const auto of_engines = [&](const auto& one) {
+    const bool whole = process::completes([&] {
+      for (const process::EngineChoice& engine : task.engines) document["engines"].push_back(one(engine));
+    });
+    if (whole) return true;
+    document["title"] = e.title + " (interrupted: not all is predicted)";
+    document["interrupted"] = true;
+    return false;
+  };
   if (e.coordinates == measured::Coordinates::chain) {
     const auto one = [](const auto&... of) { return validation::horizon(of...); };
-    for (const process::EngineChoice& engine : task.engines)
-      document["engines"].push_back(told_engine(
-          context, options, task, engine, of_runs<Horizon>(context, options, task, engine, task.runs, one)));
+    of_engines([&](const process::EngineChoice& engine) {
+      return told_engine(context, options, task, engine,
+                         of_runs<Horizon>(context, options, task, engine, task.runs, one));
+    });
     return document;
   }
   std::vector<std::vector<RunScore>> all;
-  for (const process::EngineChoice& engine : task.engines) {
+  const bool whole = of_engines([&](const process::EngineChoice& engine) {
     all.push_back(of_runs<RunScore>(context, options, task, engine, task.runs, validation::score));
-    document["engines"].push_back(told_engine(context, options, task, engine, all.back()));
-  }
+    return told_engine(context, options, task, engine, all.back());
+  });
   document["lengths"] = lengths_json(e);
-  document["nearer"] = told_nearer(options, task, all);
+  document["nearer"] = whole ? told_nearer(options, task, all) : ordered_json::array();
   return document;
 }
 
@@ -274,9 +285,9 @@ Task task_of(const Context& context, const Options& options) {
   return task;
 }
 
-void write_page(const Options& options, const measured::Experiment& e, const ordered_json& document) {
+void write_page(const Options& options, const ordered_json& document) {
   reports::HtmlReport report;
-  report.title = e.title;
+  report.title = document["title"];
   report.documents["predictions"] = {document};
   if (!options.fit.empty())
     report.documents["fits"] = {
@@ -318,8 +329,11 @@ int predict(const Context& context, const Options& options) {
   const ordered_json document = predicted(context, options, task);
   if (!options.json.empty())
     write_whole(options.json, document.dump(1, ' ', true, ordered_json::error_handler_t::replace) + '\n');
-  if (!options.html.empty()) write_page(options, e, document);
-  return ok;
+  if (!options.html.empty()) write_page(options, document);
+  if (!document.contains("interrupted")) return ok;
+  if (context.progress) std::cerr << "\r\x1b[K";
+  std::cerr << "interrupted: what is written holds the engines that are done\n";
+  return interrupted;
 }
 
 }  // namespace

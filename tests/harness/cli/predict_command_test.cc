@@ -138,6 +138,35 @@ TEST_F(PredictCommand, TakesAFitToTheRunsThatItDidNotSee) {
   EXPECT_NE(read("all.html").find("<th scope=\"row\">ode</th>"), std::string::npos);
 }
 
+// Nothing was written of what was done, and hours of it were lost to a look.
+TEST_F(PredictCommand, InterruptionKeepsEnginesThatAreDone) {
+  const std::string slow = " --engine ode --engine slow --worker 'slow=python3 " + std::string(source_dir) +
+                           "/tests/harness/process/scripted_worker.py says_and_loops_in_load'";
+  const auto at_work = [&] { return std::filesystem::exists(folder / "at_work"); };
+  const Ran predicted =
+      shell("exec cylon predict swings.toml --members 0 --json p.json --html p.html" + slow, at_work);
+  EXPECT_EQ(predicted.code, 130) << predicted.err;
+  EXPECT_TRUE(predicted.err.ends_with("interrupted: what is written holds the engines that are done\n"))
+      << predicted.err;
+  const json predictions = document("p.json");
+  ASSERT_EQ(predictions["engines"].size(), 1u);
+  EXPECT_EQ(predictions["engines"][0]["engine"], "ode");
+  EXPECT_EQ(predictions["interrupted"], true);
+  EXPECT_NE(read("p.html").find("(interrupted: not all is predicted)"), std::string::npos);
+
+  std::filesystem::remove(folder / "at_work");
+  const Ran fitted = shell("exec cylon fit swings.toml --parameters inertia --json fit.json" + slow, at_work);
+  EXPECT_EQ(fitted.code, 130) << fitted.err;
+  EXPECT_NE(fitted.err.find("interrupted: what is written holds the fits that are done"), std::string::npos)
+      << fitted.err;
+  const json fits = document("fit.json");
+  ASSERT_EQ(fits["fits"].size(), 1u);
+  EXPECT_EQ(fits["fits"][0]["engine"], "ode");
+  EXPECT_EQ(fits["interrupted"], true);
+  const Ran of_done = cylon("predict swings.toml --fit fit.json --members 0");
+  EXPECT_EQ(of_done.code, 0) << of_done.err;
+}
+
 TEST_F(PredictCommand, JudgesEachRunByTheFoldThatLeftItOut) {
   ASSERT_EQ(cylon("fit swings.toml --engine ode --parameters inertia --folds 3 --json fit.json").code, 0);
   ASSERT_EQ(cylon("predict swings.toml --fit fit.json --members 0 --json p.json").code, 0);
