@@ -27,12 +27,14 @@ Real free_acceleration(const Row& row, const Instant& now) {
   return sum;
 }
 
-// |n| |F|/m + |I^-1 s| |T| of both ends of a row.
+// |n| (|F| + |T|/k)/m + |I^-1 s| (|T| + k |F|) of both ends of a row, k the radius of gyration.
 Real pulled(const Row& row, const Instant& now) {
   const auto side = [&](int body, const Vector3& spin) {
     const std::size_t i = index(body);
-    return now.bodies[i].inverse_mass * row.direction.norm() * now.loads[i].force.norm() +
-           spin.norm() * now.loads[i].torque.norm();
+    const Real force = now.loads[i].force.norm(), torque = now.loads[i].torque.norm();
+    const Real k = gyration(now.bodies[i]);
+    return now.bodies[i].inverse_mass * row.direction.norm() * (force + (k > 0 ? torque / k : Real(0))) +
+           spin.norm() * (torque + k * force);
   };
   return side(row.body, row.spin) + (row.to != fixed_world ? side(row.to, row.to_spin) : Real(0));
 }

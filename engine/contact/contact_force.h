@@ -53,8 +53,9 @@ struct Instant {
 };
 
 /// What the acceleration of a coordinate of a joint is made of at most, from the loads and its own dry friction:
-///   |n| |F_a|/m_a + |I_a^-1 s_a| |T_a|,  the same of b,  and b A   [unit of the coordinate/s^2].
-/// What is small beside it, times a time, is no rate of the coordinate.
+///   |n| (|F_a| + |T_a|/k_a)/m_a + |I_a^-1 s_a| (|T_a| + k_a |F_a|),  the same of b,  and b A   [unit of the coordinate/s^2],
+/// k the radius of gyration: joints make torques of forces (a pendulum at its stop: g l/(k^2 + l^2) <= g/(2 k)) and forces of
+/// torques.  What is small beside it, times a time, is no rate of the coordinate.
 Real pull_of(const TouchPoint& coordinate, const Instant&);
 
 /// Decides how every point is held.  `slow`, one per point: those that move slower across the surface [m/s; a
