@@ -147,6 +147,8 @@ inline void add_law(Dice& dice, Model& m, std::string& text) {
                                                                      : joint.to_axis;
   law.at.zero = joint.to_axis.unitOrthogonal();
   law.at.mark = joint.relative.conjugate() * law.at.zero;
+  if (joint.type.turn == Joint::Turn::about_two_axes)  // the other axis, which stays square to the first
+    law.at.mark = joint.axis, law.at.zero = joint.relative * joint.axis;
   if (dice.one_in(2)) law.stiffness = dice.between(Real(0.2), 4), law.target.value = dice.between(-1, 1);
   if (dice.one_in(2)) law.damping = dice.between(Real(0.01), Real(0.2));
   if (dice.one_in(3)) law.friction = dice.between(Real(0.02), Real(0.6));
