@@ -43,8 +43,9 @@ enum class Reduction {
   mean_square,  ///< Mean over time of the squared deviation, each sample weighted by the step after it.
   order,        ///< Observed order of convergence of the largest deviation under halving of the step.
   rate,         ///< Slope of the deviation against time, least squares.
-  increase,     ///< One-sided: the largest rise of the value above its least one so far, the start included.
-  decrease      ///< One-sided: the largest fall below its greatest one so far.
+  increase,  ///< One-sided: the largest rise of the value above its least one so far, the start included, and what lasts
+             ///< one sample left out.
+  decrease  ///< One-sided: the largest fall below its greatest one so far.
 };
 
 /// How uncertain a measured motion is, and a run from its measured start: independent normal errors, of which each pair has one a

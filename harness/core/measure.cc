@@ -218,25 +218,27 @@ double still_missing(double before, double at_least, double apart) {
 }
 
 // How far each entry of an observable of one number has risen above its least value so far, or fallen below
-// its greatest; the worst counts.
+// its greatest; the worst counts.  What lasts one sample is neither: a step may end between a blow and its rebound.
 class OneSided {
  public:
   OneSided(Reduction reduction, const Values& start) : sense_(reduction == Reduction::increase ? 1 : -1) {
     for (const auto& entry : start) least_.push_back(sense_ * entry.sum());
+    before_ = least_;
   }
   double operator()(const Values& now) {
     double most = 0;
     for (std::size_t i = 0; i < least_.size(); ++i) {
       const double x = sense_ * now[i].sum();  // one coordinate, and zeros
       most = worst(x - least_[i], most);
-      least_[i] = std::min(least_[i], x);
+      least_[i] = std::min(least_[i], std::max(before_[i], x));
+      before_[i] = x;
     }
     return most;
   }
 
  private:
   double sense_;
-  std::vector<double> least_;
+  std::vector<double> least_, before_;  // the least of what lasted, the last sample
 };
 
 }  // namespace

@@ -175,7 +175,7 @@ inline Model random_pile(unsigned seed) {
 inline Model boxes_on_floor(int count, Real apart) {
   Model model = floor({0, Real(0.3)});
   for (int i = 0; i < count; ++i)
-    box(model, {apart * static_cast<Real>(i % 40), Real(0.5), apart * static_cast<Real>(i / 40)});
+    box(model, {apart * static_cast<Real>(i % 40), Real(0.5), apart * (static_cast<Real>(i - i % 40) / 40)});
   return model;
 }
 
@@ -230,7 +230,7 @@ inline Model unlike_balls() {
 inline Model many_balls() {
   Model model = floor({0, 0});
   for (int i = 0; i < 520; ++i)
-    ball(model, {static_cast<Real>(2 * (i % 30)), 1, static_cast<Real>(2 * (i / 30))});
+    ball(model, {static_cast<Real>(2 * (i % 30)), 1, static_cast<Real>(i - i % 30) / 15});
   return model;
 }
 

@@ -220,8 +220,8 @@ TEST(Measure, OneSidedClaimsSeeOneDirection) {
   struct Row {
     double third, last, rise, fall;
   };
-  for (const Row& row : {Row{2, 5, 4, 0}, Row{0.5, 0.75, 2.75, 2.5}, Row{2, 3, 2.25, 0.25},
-                         Row{-1, -2, 4.25, 5.25}, Row{nan, 5, nan, nan}}) {
+  for (const Row& row : {Row{2, 5, 4, 0}, Row{0.5, 0.75, 2.25, 0.5}, Row{2, 3, 2.25, 0},
+                         Row{3.5, 1.5, 2.5, 1.75}, Row{-1, -2, 2.25, 3}, Row{nan, 5, nan, nan}}) {
     Parabola p;
     p.claim.observable.component = Component::x;
     p.recording.states[2][0].position.x() = row.third;
@@ -236,6 +236,23 @@ TEST(Measure, OneSidedClaimsSeeOneDirection) {
     }
     EXPECT_NEAR(rise, row.rise, 1e-15) << row.third << ' ' << row.last;
     EXPECT_NEAR(fall, row.fall, 1e-15) << row.third << ' ' << row.last;
+  }
+}
+
+// A blow that ends in one step and its rebound in the next: Havok was accused of energy from nowhere.
+TEST(Measure, OneSidedClaimsLeaveOutWhatLastsOneSample) {
+  struct Row {
+    std::vector<double> x;
+    double rise;
+  };
+  for (const Row& row :
+       {Row{{1, 0, 1, 1, 1}, 0}, Row{{1, 0, 0, 1, 1}, 1}, Row{{1, 0, 1.5, 1, 1}, 0.5},
+        Row{{1, 0, 0.7, 0, 0.7}, 0}, Row{{1, 0.6, 0.5, 0.8, 0.9}, 0.3}, Row{{1, 0.2, 0.4, 0.4, 0.9}, 0.5}}) {
+    Parabola p;
+    p.claim.observable.component = Component::x;
+    p.claim.reduction = Reduction::increase;
+    for (std::size_t i = 0; i < row.x.size(); ++i) p.recording.states[i][0].position.x() = row.x[i];
+    EXPECT_NEAR(p.measured().value, row.rise, 1e-15) << testing::PrintToString(row.x);
   }
 }
 
