@@ -13,6 +13,11 @@ inline Eigen::Index first_row(std::size_t point) { return 3 * static_cast<Eigen:
 /// Whether it is dry friction that nothing presses.
 inline bool is_dry(const CoulombProblem& p, std::size_t i) { return p.bound_of(i) > 0; }
 
+/// How much friction a point has under a normal force: b + mu f_n.
+inline Real slip_edge(const CoulombProblem& p, std::size_t i, Real normal) {
+  return p.bound_of(i) + p.friction[i] * normal;
+}
+
 /// A pivot below this part of the largest follows from the others: 1e-11 in double, 1e-5 in float, which is
 /// rounding times the condition of a well-posed contact (redundant ones stay at rounding itself).
 inline Real dependent_pivot() { return std::pow(epsilon, Real(0.7)); }
