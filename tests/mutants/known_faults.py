@@ -24,19 +24,20 @@ from counted import Counted  # noqa: E402
 
 @dataclass
 class Fault:
-    """What a card of it has: one of the oracles, all of the parts, none of those without."""
+    """What a card of it has: one of the oracles, all of the parts, none of those without, so many bodies."""
     engine: str
     name: str
     where: str  # source, or the measurement that told of it
     oracles: str  # separated by commas; "*" at the end: any that begins so
     parts: str = ""
     without: str = ""
+    bodies: int = 1  # at least
 
     def is_shown_by(self, card):
         parts = re.sub(r"^.*?: \d+ bod(y|ies)(, )?", "", card["signature"]).split(", ")
         names = [one.strip() for one in self.oracles.split(",")]
         said = any(card["oracle"] == one or (one.endswith("*") and card["oracle"].startswith(one[:-1])) for one in names)
-        return said and set(self.parts.split()) <= set(parts) and not set(self.without.split()) & set(parts)
+        return said and bodies(card) >= self.bodies and set(self.parts.split()) <= set(parts) and not set(self.without.split()) & set(parts)
 
     def key(self, seed):
         return f"seed {seed} {self.engine}: {self.name}"
@@ -66,7 +67,8 @@ FAULTS = [
     Fault("jolt/path=as-shipped", "slow impacts do not bounce", "mMinVelocityForRestitution 1 m/s", "rebound, energy", "restitution"),
     Fault("jolt/path=as-shipped", "no gyroscopic term by default", "mApplyGyroscopicForce", "angular momentum", "box", "plane"),
     Fault("rapier", "an elastic row loses energy", "S12: -30 %", BLOW, "sphere restitution", "gravity plane"),
-    Fault("rapier", "an oblique blow changes angular momentum", "S3: 5.7 % at 1/60", "angular momentum", "sphere"),
+    Fault("rapier", "an oblique blow changes angular momentum", "S3: 5.7 % at 1/60", "angular momentum", "sphere", bodies=2),
+    Fault("rapier", "spins are cut to pi/4 a step", "FoundFaults.OfAFastSpin", "angular momentum, spin, energy", "sphere", "restitution"),
     Fault("rapier", "a stack under a heavy top falls", "S11", "rest", "box plane gravity"),
     Fault("physx", "an elastic row loses energy", "S12: -16 %", BLOW, "sphere restitution", "gravity plane"),
     Fault("physx", "a stack under a heavy top falls", "S11", "rest", "box plane gravity"),
