@@ -3,6 +3,7 @@
 #include "harness/core/input_error.h"
 #include "harness/core/recording.h"
 #include "harness/scenario/input.h"
+#include "harness/validation/kinematics.h"
 #include "harness/validation/split.h"
 
 #include <fmt/format.h>
@@ -33,7 +34,23 @@ std::string told_band(const Estimate& covered, validation::Answer answer, int me
                      shown(covered, 100, " %"), judgement);
 }
 
+std::string told_slope(const char* what, const Estimate& slope, const char* of) {
+  if (!std::isfinite(slope.value)) return "";
+  return fmt::format("  {:<22} {} of {}{}\n", what, shown(slope, 1, "", 3), of,
+                     validation::goes_together(slope) == validation::Answer::outside
+                         ? ": they do not go together; check columns, units, axes and rate"
+                         : "");
+}
+
 }  // namespace
+
+std::string told_kinematics(const measured::Experiment& e) {
+  const validation::Kinematics of = validation::kinematics(e);
+  const bool chain = e.coordinates == measured::Coordinates::chain;
+  return "Columns against each other, steps from frame to frame over velocities, with 95 % intervals:\n" +
+         told_slope("positions", of.velocity, "velocities") +
+         told_slope(chain ? "angles" : "orientations", of.spin, chain ? "rates" : "angular velocities");
+}
 
 std::string shown(const Estimate& e, double scale, const char* unit, int digits) {
   if (!std::isfinite(e.value)) return "not known";

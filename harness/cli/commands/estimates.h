@@ -29,6 +29,9 @@ nlohmann::ordered_json to_json(const validation::HorizonSummary&);
 std::string told(const validation::Summary&, int members);
 std::string told(const validation::HorizonSummary&, int members);
 
+/// Whether the columns of places and of velocities go together, a line for each pair.
+std::string told_kinematics(const measured::Experiment&);
+
 /// --dt of an experiment's model; empty: its own.  Throws core::InputError where a frame is no whole number of steps.
 void set_step(measured::Experiment&, const std::string& step);
 

@@ -189,7 +189,8 @@ int fit(const Context& context, const Options& options) {
     out << plain_line(fmt::format("  part {}: judged on {} runs: {}", k + 1, parts[k].by.size(),
                                   fmt::join(names_of(e, parts[k].by), " ")))
         << '\n';
-  out << "Validation: parameters of greatest likelihood, with 95 % intervals: if the stated "
+  out << told_kinematics(e)
+      << "Validation: parameters of greatest likelihood, with 95 % intervals: if the stated "
          "uncertainties are right,\n"
          "and from how much runs differ.\n";
   std::vector<Judged> judged;

@@ -14,7 +14,6 @@
 #include "harness/process/interruption.h"
 #include "harness/study/parallel.h"
 #include "harness/study/session_runner.h"
-#include "harness/validation/kinematics.h"
 #include "harness/validation/length_scale.h"
 #include "harness/validation/score.h"
 #include "harness/validation/split.h"
@@ -102,23 +101,6 @@ std::string told_length(const char* what, const Estimate& scale, const std::stri
   return fmt::format("  {:<22} {:.4f} [{:.4f}, {:.4f}] of {} ({} runs){}\n", what, scale.value,
                      scale.interval.low, scale.interval.high, means, scale.runs,
                      answer == validation::Answer::inside ? "" : ": 1 is outside the interval");
-}
-
-std::string told_slope(const char* what, const Estimate& slope, const char* of) {
-  if (!std::isfinite(slope.value)) return "";
-  return fmt::format("  {:<22} {} of {}{}\n", what, shown(slope, 1, "", 3), of,
-                     validation::goes_together(slope) == validation::Answer::outside
-                         ? ": they do not go together; check columns, units, axes and rate"
-                         : "");
-}
-
-void tell_kinematics(const Options& options, const measured::Experiment& e) {
-  const validation::Kinematics of = validation::kinematics(e);
-  const bool chain = e.coordinates == measured::Coordinates::chain;
-  words(options)
-      << "Columns against each other, steps from frame to frame over velocities, with 95 % intervals:\n"
-      << told_slope("positions", of.velocity, "velocities")
-      << told_slope(chain ? "angles" : "orientations", of.spin, chain ? "rates" : "angular velocities");
 }
 
 void tell_lengths(const Options& options, const measured::Experiment& e) {
@@ -310,7 +292,7 @@ int predict(const Context& context, const Options& options) {
     words(options) << plain_line(fmt::format("  synthetic: made by {} with the stated errors, seed {}",
                                              options.synthetic, options.band.seed))
                    << '\n';
-  tell_kinematics(options, e);
+  words(options) << told_kinematics(e);
   if (e.coordinates == measured::Coordinates::free) tell_lengths(options, e);
   if (options.band.discrepancy && options.band.members > 0)
     words(options) << fmt::format(

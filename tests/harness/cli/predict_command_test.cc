@@ -221,6 +221,8 @@ TEST_F(PredictCommand, TellsWhichColumnsDoNotGoTogether) {
   const Ran ran = cylon("predict swings.toml --engine ode --members 0 --json p.json");
   EXPECT_NE(ran.out.find(wrong), std::string::npos) << ran.out;
   EXPECT_EQ(document("p.json")["kinematics"]["spin"]["goes_together"], "no");
+  const Ran fitted = cylon("fit swings.toml --engine ode --parameters inertia --runs 2");
+  EXPECT_NE(fitted.out.find(wrong), std::string::npos) << fitted.out << fitted.err;
 }
 
 TEST_F(PredictCommand, StatesTheDiscrepancyOfItsBand) {
