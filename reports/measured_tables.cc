@@ -75,6 +75,26 @@ std::string begin_table(const std::string& caption, std::span<const std::string>
   return out + "</tr></thead>\n<tbody>\n";
 }
 
+// Whether places and velocities of the data go together.
+std::string columns_against(const Json& document, bool chain) {
+  std::string out;
+  const auto pair = [&](const char* key, const char* what, const char* of) {
+    const Json& slope = part(part(document, "kinematics"), key);
+    if (!part(slope, "value").is_number()) return;
+    out += fmt::format("{}{} {} of {}{}", out.empty() ? "" : "; ", what, estimate(slope, 1), of,
+                       part(slope, "goes_together") == "no"
+                           ? ": <strong>they do not go together; check columns, units, axes and rate</strong>"
+                           : "");
+  };
+  pair("velocity", "positions", "velocities");
+  pair("spin", chain ? "angles" : "orientations", chain ? "rates" : "angular velocities");
+  return out.empty()
+             ? out
+             : fmt::format(
+                   "<p>Columns against each other, steps from frame to frame over velocities: {}.</p>\n",
+                   out);
+}
+
 std::string scores(const Json& document) {
   const bool chain = part(document, "coordinates") == "chain";
   const std::span<const Column> columns =
@@ -82,7 +102,8 @@ std::string scores(const Json& document) {
   std::vector<std::string> heads = {"engine"};
   for (const Column& column : columns) heads.emplace_back(column.head);
   heads.emplace_back("90 to 98 %");
-  std::string out = begin_table(part(document, "fitted") == true ? "Predicted, with fitted parameters"
+  std::string out = columns_against(document, chain) +
+                    begin_table(part(document, "fitted") == true ? "Predicted, with fitted parameters"
                                                                  : "Predicted, with the model's own values",
                                 heads);
   std::size_t rows = 0;

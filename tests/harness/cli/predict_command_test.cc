@@ -214,12 +214,15 @@ TEST_F(PredictCommand, PredictsWhatAnEngineMade) {
 
 TEST_F(PredictCommand, TellsWhichColumnsDoNotGoTogether) {
   const std::string wrong = "they do not go together; check columns, units, axes and rate";
-  const Ran right = cylon("predict swings.toml --engine ode --members 0 --json p.json");
+  const Ran right = cylon("predict swings.toml --engine ode --members 0 --json p.json --html p.html");
   EXPECT_EQ(right.out.find(wrong), std::string::npos) << right.out;
+  EXPECT_NE(read("p.html").find("Columns against each other"), std::string::npos);
+  EXPECT_EQ(read("p.html").find("<strong>" + wrong), std::string::npos);
   EXPECT_EQ(document("p.json")["kinematics"]["spin"]["goes_together"], "yes");
   write("swings.toml", replaced(description, "rate = 100", "rate = 50"));
-  const Ran ran = cylon("predict swings.toml --engine ode --members 0 --json p.json");
+  const Ran ran = cylon("predict swings.toml --engine ode --members 0 --json p.json --html p.html");
   EXPECT_NE(ran.out.find(wrong), std::string::npos) << ran.out;
+  EXPECT_NE(read("p.html").find("<strong>" + wrong), std::string::npos);
   EXPECT_EQ(document("p.json")["kinematics"]["spin"]["goes_together"], "no");
   const Ran fitted = cylon("fit swings.toml --engine ode --parameters inertia --runs 2");
   EXPECT_NE(fitted.out.find(wrong), std::string::npos) << fitted.out << fitted.err;
