@@ -62,6 +62,7 @@ constexpr Column free_columns[] = {{"distance", "rest, distance [mm]", scaled<10
                                    {"angle", "rest, angle [deg]", scaled<degrees>},
                                    {"same_side", "same side up [%]", scaled<100.0>},
                                    {"impact", "first touch, off by [ms]", scaled<1000.0>},
+                                   {"place", "its place, off by [mm]", scaled<1000.0>},
                                    {"loss", "energy lost, off by [%]", scaled<100.0>},
                                    {"covered", "inside the band [%]", scaled<100.0>}};
 constexpr Column chain_columns[] = {{"held", "within 0.1 rad for [s]", until},

@@ -25,6 +25,7 @@ export interface RestSummary extends Summary {
   angle: Estimate; // [rad]
   same_side: Estimate;
   impact: Estimate; // [s]
+  place?: Estimate; // of the first touch [m]; documents of before lack it
   loss: Estimate;
 }
 
@@ -80,6 +81,9 @@ export interface Lengths {
   }[];
 }
 
+/** Steps of places from frame to frame over velocities: 1 where columns, units, axes and rate are right. */
+export type Slope = Estimate & { goes_together: Answer };
+
 interface OfData {
   title: string;
   source: string;
@@ -97,6 +101,7 @@ export interface Prediction extends OfData {
   set: string[]; // NAME=VALUE
   fitted: boolean; // with parameters of a fit
   members: number; // of the band
+  kinematics?: { velocity: Slope; spin: Slope };
   drawn: { names: string[]; unit: string; runs: DrawnRun[] };
   engines: ((RestSummary | HorizonSummary) & { engine: string; drawn: DrawnPrediction[] })[];
   lengths?: Lengths;

@@ -1,10 +1,11 @@
 // Measured motions: what each data set is, how well engines predict it before and after their fits, and what is wrong with it.
 import type { Index } from '../../shared/documents';
+import type { Prediction } from '../../shared/measured_documents';
 import { go, useAddress } from '../address';
 import { short } from '../numbers';
 import { Foreign } from '../text';
 import { visible } from '../visible';
-import { type DataSet, dataSets, scoreRows } from './data_sets';
+import { type DataSet, dataSets, estimateText, scoreRows } from './data_sets';
 import { FitTable } from './fit_table';
 import { LengthsView } from './lengths';
 import { RunView } from './run_view';
@@ -47,6 +48,35 @@ function Facts({ of }: { of: DataSet['of'] }) {
   );
 }
 
+/** Whether places and velocities of the data go together. */
+function Columns({ of }: { of: Prediction }) {
+  const { kinematics, coordinates } = of;
+  if (!kinematics) return null;
+  const chain = coordinates === 'chain';
+  const pairs = [
+    { what: 'positions', over: 'velocities', slope: kinematics.velocity },
+    { what: chain ? 'angles' : 'orientations', over: chain ? 'rates' : 'angular velocities', slope: kinematics.spin },
+  ].filter(({ slope }) => slope.value !== null);
+  if (pairs.length === 0) return null;
+  return (
+    <>
+      <p>Columns of the data against each other, steps from frame to frame over velocities:</p>
+      <ul>
+        {pairs.map(({ what, over, slope }) => (
+          <li key={what}>
+            {what} {estimateText(slope, 1, 3)} of {over}
+            {slope.goes_together === 'no' ? (
+              <>
+                : <strong>they do not go together; check columns, units, axes and rate</strong>
+              </>
+            ) : null}
+          </li>
+        ))}
+      </ul>
+    </>
+  );
+}
+
 function Nearer({ set }: { set: DataSet }) {
   const pairs = set.predictions.flatMap(({ nearer = [] }) => nearer);
   if (pairs.length === 0) return null;
@@ -65,10 +95,12 @@ function Nearer({ set }: { set: DataSet }) {
 function DataSetView({ set }: { set: DataSet }) {
   const { title } = set.of;
   const lengths = set.predictions.find((p) => p.lengths);
+  const checked = set.predictions.find((p) => p.kinematics);
   return (
     <article aria-label={visible(title)}>
       <h3>{visible(title)}</h3>
       <Facts of={set.of} />
+      {checked ? <Columns of={checked} /> : null}
       <h4>Predictions</h4>
       <ScoreTable rows={scoreRows(set)} title={title} />
       <Nearer set={set} />

@@ -4,7 +4,7 @@ import { estimateText, isRest, type ScoreRow } from './data_sets';
 
 const degrees = 180 / Math.PI;
 
-const restHeads = ['distance at rest [mm]', 'angle [deg]', 'same side up [%]', 'first touch, off by [ms]', 'energy lost, off by [%]'];
+const restHeads = ['distance at rest [mm]', 'angle [deg]', 'same side up [%]', 'first touch, off by [ms]', 'its place, off by [mm]', 'energy lost, off by [%]'];
 const horizonHeads = ['within 0.1 rad for [s]', 'to the end', 'by the start alone [s]', 'exponent [1/s]'];
 
 function cells({ score }: ScoreRow): string[] {
@@ -14,6 +14,7 @@ function cells({ score }: ScoreRow): string[] {
       estimateText(score.angle, degrees, 1),
       estimateText(score.same_side, 100, 1),
       estimateText(score.impact, 1000, 2),
+      score.place ? estimateText(score.place, 1000, 1) : '',
       estimateText(score.loss, 100, 1),
     ];
   return [
