@@ -163,7 +163,7 @@ let least = value(path[0]);
 let worst = 0.0;
 for (let k = 1; k <= steps; ++k) {
   worst = max(worst, value(path[k]) - least);
-  least = min(least, value(path[k]));
+  least = min(least, max(value(path[k - 1]), value(path[k])));
 }
 )";
     case Reduce::sample:
