@@ -35,7 +35,7 @@ std::string with_interval(const Json& value, const Json& low, const Json& high, 
 }
 
 // A time that is null where a prediction holds to the end of the data.
-std::string until(const Json& time) {
+std::string until(const Json& time, double /*scale*/) {
   const auto one = [](const Json& t) { return t.is_number() ? number(t, 1, 3) : std::string("the end"); };
   return fmt::format("{} [{}, {}]", one(part(time, "value")), one(part(time, "low")),
                      one(part(time, "high")));
@@ -48,27 +48,23 @@ std::string estimate(const Json& of, double scale) {
 // A column of an engine's scores.
 struct Column {
   const char *key, *head;
-  std::string (*cell)(const Json& score);
+  std::string (*cell)(const Json& score, double scale);
+  double scale = 1;
 };
 
 constexpr double degrees = 180 / std::numbers::pi;
 
-template <double scale>
-std::string scaled(const Json& score) {
-  return estimate(score, scale);
-}
-
-constexpr Column free_columns[] = {{"distance", "rest, distance [mm]", scaled<1000.0>},
-                                   {"angle", "rest, angle [deg]", scaled<degrees>},
-                                   {"same_side", "same side up [%]", scaled<100.0>},
-                                   {"impact", "first touch, off by [ms]", scaled<1000.0>},
-                                   {"place", "its place, off by [mm]", scaled<1000.0>},
-                                   {"loss", "energy lost, off by [%]", scaled<100.0>},
-                                   {"covered", "inside the band [%]", scaled<100.0>}};
+constexpr Column free_columns[] = {{"distance", "rest, distance [mm]", estimate, 1000.0},
+                                   {"angle", "rest, angle [deg]", estimate, degrees},
+                                   {"same_side", "same side up [%]", estimate, 100.0},
+                                   {"impact", "first touch, off by [ms]", estimate, 1000.0},
+                                   {"place", "its place, off by [mm]", estimate, 1000.0},
+                                   {"loss", "energy lost, off by [%]", estimate, 100.0},
+                                   {"covered", "inside the band [%]", estimate, 100.0}};
 constexpr Column chain_columns[] = {{"held", "within 0.1 rad for [s]", until},
                                     {"expected", "by the start alone [s]", until},
-                                    {"exponent", "exponent [1/s]", scaled<1.0>},
-                                    {"covered", "inside the band [%]", scaled<100.0>}};
+                                    {"exponent", "exponent [1/s]", estimate, 1.0},
+                                    {"covered", "inside the band [%]", estimate, 100.0}};
 
 std::string begin_table(const std::string& caption, std::span<const std::string> columns) {
   std::string out = fmt::format("<table><caption>{}</caption><thead><tr>", caption);
@@ -112,7 +108,7 @@ std::string scores(const Json& document) {
     if (++rows > most_rows) break;
     out += fmt::format("<tr><th scope=\"row\">{}</th>", text(engine, "engine"));
     for (const Column& column : columns)
-      out += fmt::format("<td>{}</td>", column.cell(part(engine, column.key)));
+      out += fmt::format("<td>{}</td>", column.cell(part(engine, column.key), column.scale));
     out += fmt::format("<td>{}</td></tr>\n", text(engine, "band"));
   }
   return out + end_table(rows);
