@@ -120,7 +120,7 @@ class EventStepper final : public Stepper, private Holder {
   ContactForces find_holds(const std::vector<Spot>&, const std::vector<Real>& slow,
                            std::vector<std::size_t>& which);
   Real left_slip(std::size_t candidate) const;
-  Real slip_left(const HeldPoint&, Real speed) const;
+  Real end_of_slip(const HeldPoint&, Real speed) const;
   Real rest_speed(std::size_t candidate) const;
   void note_pulls(const std::vector<Spot>&);
   void stop_what_rests(Motion*) const;

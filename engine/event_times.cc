@@ -301,7 +301,7 @@ std::optional<Look> below_zero(Function&& f, Look low, Look middle, Look high) {
 
 // How far below zero slip ends that is so fast at the start of a piece.  What is far slower than friction turns as it should has
 // just begun, and its rounding says nothing: that friction still holds it is seen where it goes back.
-Real EventStepper::slip_left(const HeldPoint& held, Real speed) const {
+Real EventStepper::end_of_slip(const HeldPoint& held, Real speed) const {
   const bool of_joint = is_of_joint(candidates_[held.candidate]);
   if (speed > (of_joint ? Real(0) : just_begun * slow_slip_)) return 0;
   if (speed > 0) return slow_slip_;
@@ -378,7 +378,7 @@ std::optional<Real> EventStepper::change_time(Time from, Real span, const Contac
     look(i, What::presses, least);
     if (held_[i].holding.grip == Grip::sticks) look(i, What::reserve, 2 * least);
     if (held_[i].holding.grip == Grip::slides && rough)
-      look(i, What::slip, slip_left(held_[i], before.points[i].slip_speed));
+      look(i, What::slip, end_of_slip(held_[i], before.points[i].slip_speed));
   }
   // Points that leave their facets: others touch there.
   const Motion *begin = system_.motions(start_.data()), *end = system_.motions(end_.data());

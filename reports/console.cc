@@ -64,7 +64,8 @@ std::string run_facts(const Verdict& v, const ConsoleOptions& options) {
   for (const std::string& sentence : v.unforceable) add_line(out, "known limit", sentence, options);
   for (const told::Diagnostic& d : v.diagnostics) add_line(out, "diagnostic", in_words(d), options);
   add_line(out, "sampling", v.sampling, options);
-  if (v.body_steps > 0 && v.cpu_seconds > 0)  // of what did not run there is none
+  // Of what did not run there is none; an engine that tells no time has run all the same.
+  if (v.body_steps > 0 && (v.cpu_seconds > 0 || is_measured(v.status)))
     out +=
         fmt::format("  cost: {:.3g} s of CPU, {} body steps, {:.0f} ns each{}\n", v.cpu_seconds, v.body_steps,
                     v.cpu_seconds / static_cast<double>(v.body_steps) * 1e9,

@@ -218,26 +218,29 @@ double still_missing(double before, double at_least, double apart) {
 }
 
 // How far each entry of an observable of one number has risen above its least value so far, or fallen below
-// its greatest; the worst counts.  What lasts one sample is neither: a step may end between a blow and its rebound.
+// its greatest; the worst counts.  What lasts one step is neither: a step may end between a blow and its rebound.
 class OneSided {
  public:
   OneSided(Reduction reduction, const Values& start) : sense_(reduction == Reduction::increase ? 1 : -1) {
     for (const auto& entry : start) least_.push_back(sense_ * entry.sum());
     before_ = least_;
   }
-  double operator()(const Values& now) {
+  double operator()(std::int64_t step, const Values& now) {
+    const bool next = step - step_ <= 1;  // where steps are left out nobody knows how long a value lasted
     double most = 0;
     for (std::size_t i = 0; i < least_.size(); ++i) {
       const double x = sense_ * now[i].sum();  // one coordinate, and zeros
       most = worst(x - least_[i], most);
-      least_[i] = std::min(least_[i], std::max(before_[i], x));
+      least_[i] = std::min(least_[i], next ? std::max(before_[i], x) : x);
       before_[i] = x;
     }
+    step_ = step;
     return most;
   }
 
  private:
   double sense_;
+  std::int64_t step_ = 0;               // of the last sample
   std::vector<double> least_, before_;  // the least of what lasted, the last sample
 };
 
@@ -266,7 +269,7 @@ Series deviation(const Claim& claim, const Scene& scene, const Recording& record
     if (!looked_at) continue;
     series.time.push_back(t);
     const double apart = one_sided(claim.reduction)
-                             ? one_way(got)
+                             ? one_way(recording.steps[i], got)
                              : distance(claim.observable, got, claim.truth ? want : start);
     if (claim.at_least) missing = still_missing(missing, *claim.at_least, apart);
     series.deviation.push_back(claim.at_least ? missing : apart);

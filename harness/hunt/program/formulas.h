@@ -10,7 +10,7 @@ namespace cylon::hunt::program {
 /// How the numbers of all samples become the one that is printed.
 enum class Reduce {
   change,  ///< The largest change of the value since the start.
-  rise,    ///< The largest rise above the least value so far that lasts more than one sample.
+  rise,    ///< The largest rise above the least value so far that lasts more than one step.
   sample,  ///< At sample ${sample} alone.
   pair     ///< Between the paths of the scene and of its restatement.
 };

@@ -240,7 +240,7 @@ TEST(Measure, OneSidedClaimsSeeOneDirection) {
 }
 
 // A blow that ends in one step and its rebound in the next: Havok was accused of energy from nowhere.
-TEST(Measure, OneSidedClaimsLeaveOutWhatLastsOneSample) {
+TEST(Measure, OneSidedClaimsLeaveOutWhatLastsOneStep) {
   struct Row {
     std::vector<double> x;
     double rise;
@@ -254,6 +254,19 @@ TEST(Measure, OneSidedClaimsLeaveOutWhatLastsOneSample) {
     for (std::size_t i = 0; i < row.x.size(); ++i) p.recording.states[i][0].position.x() = row.x[i];
     EXPECT_NEAR(p.measured().value, row.rise, 1e-15) << testing::PrintToString(row.x);
   }
+}
+
+// Of samples ten steps apart nobody knows how long a value lasted: each counts.
+TEST(Measure, OneSidedClaimsOfSparseSamplesCountEach) {
+  Parabola p;
+  p.claim.observable.component = Component::x;
+  p.claim.reduction = Reduction::increase;
+  const double x[] = {1, 0, 1, 1, 1};
+  for (std::size_t i = 0; i < 5; ++i) {
+    p.recording.steps[i] *= 10;
+    p.recording.states[i][0].position.x() = x[i];
+  }
+  EXPECT_NEAR(p.measured().value, 1, 1e-15);
 }
 
 // The start counts, whatever the run says that it was.
