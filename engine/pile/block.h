@@ -38,9 +38,15 @@ struct Block {
   Real limit = 0;                 ///< Of rub, in this part of the step [N s, N m s].
   Real push = 0, drag = 0;        ///< Of soft, the same [N s, N m s; kg, kg m^2].
   Vector3 impulse = Vector3::Zero();
-  Vector3 before = Vector3::Zero();  ///< u before the forces of the step, of a direct solution.
+  Real acted = 0;                          ///< For how long, of what forces gave [s].
+  Vector3 before = Vector3::Zero();        ///< u before the forces of the step, of a direct solution.
+  Vector3 bias = Vector3::Zero();          ///< A direct solution meets the laws with u + bias.
+  Vector3 left = Vector3::Zero();          ///< u after the last direct solution; of hold its part in `space`.
+  Vector3 left_normal = Vector3::UnitY();  ///< The normal then.
+  bool known = false;                      ///< Was in that solution.
 
   Real gap = 0;               ///< When the contact was found [m]; of a stop now [m, rad].
+  Real gap_now = 0;           ///< When targets were set.
   Vector3 anchor, to_anchor;  ///< The point, body axes; world axes where b is the world.
   Real restitution = 0;
   int plane = -1;      ///< Index of the plane that b is.

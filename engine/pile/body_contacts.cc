@@ -11,6 +11,7 @@ namespace cylon::engine::pile {
 namespace {
 
 constexpr Real spare_distance = Real(1e-6);  // of the bounding radius
+constexpr Real one_place = Real(1e-4);       // of it, too: points that are so near have one velocity
 
 // Scenes of more moving bodies than this keep their contacts while two bodies move against each other by less
 // than `still` of their bounding radius.  What that leaves out is of second order: a gap is that of the same
@@ -245,6 +246,8 @@ void BodyContacts::touch(const std::vector<Motion>& motions, int a, int b, int p
       if (same) {
         const Real along = block.normal.dot(same->impulse);
         block.impulse = same->impulse + (std::max(along, Real(0)) - along) * block.normal;
+        block.acted = same->acted, block.left = same->left, block.left_normal = same->left_normal,
+        block.known = same->known && nearest <= one_place * radius_[index(a)];
       }
       matched.push_back(same);
       blocks.push_back(block);
@@ -336,7 +339,11 @@ void BodyContacts::add_joints(const std::vector<Motion>& motions, const std::vec
   std::size_t next = 0;
   while (next < old.size() && old[next].kind == Block::Kind::contact) ++next;
   const auto add = [&](Block block) {
-    if (next < old.size()) block.impulse = old[next++].impulse;
+    if (next < old.size()) {
+      const Block& same = old[next++];
+      block.impulse = same.impulse, block.acted = same.acted;
+      block.left = same.left, block.known = same.known;
+    }
     blocks.push_back(block);
   };
   for (const Joint& joint : model_.joints) {

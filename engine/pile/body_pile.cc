@@ -61,7 +61,8 @@ BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings, st
   const auto stiff = std::ranges::count_if(model_.forces.coordinate_laws, [&](const CoordinateLaw& law) {
     return is_stiff(law, model_.bodies, dt);
   });
-  if (stiff > 0) log_.note(DiagnosticKind::joint_forces_implicit, start, static_cast<double>(stiff));
+  implicit_ = stiff > 0;
+  if (implicit_) log_.note(DiagnosticKind::joint_forces_implicit, start, static_cast<double>(stiff));
   changing_ = masses_.any() || std::ranges::any_of(model_.forces.frame_forces, [](const FrameForce& frame) {
                 return !frame.angular_acceleration.isZero(0);
               });
@@ -89,9 +90,9 @@ void BodyPile::set_kinematics() {
   }
 }
 
-// K += F h, L += torque h; gravity alone needs no loads.  Forces are those at the start, masses from here
-// on those at the end:  v = K(now + h)/m(now + h).
-void BodyPile::kick(Time now, Real h) {
+// K += F span, L += torque span; gravity alone needs no loads.  Forces are those of now, masses from here on those of
+// `then`:  v = K(then)/m(then).
+void BodyPile::kick(Time now, Real span, Time then) {
   if (other_forces_) {
     kinematics_.resize(motions_.size()), loads_.resize(motions_.size());
     for (std::size_t i = 0; i < motions_.size(); ++i)
@@ -104,10 +105,10 @@ void BodyPile::kick(Time now, Real h) {
     if (body.locked || !takes(i)) continue;
     const Vector3 force = other_forces_ ? loads_[i].force : Vector3(body.mass * model_.forces.gravity);
     const Vector3 torque = other_forces_ ? loads_[i].torque : Vector3(Vector3::Zero());
-    if (body.inverse_mass > 0) motions_[i].momentum += h * force;
-    motions_[i].angular_momentum += h * torque;
+    if (body.inverse_mass > 0) motions_[i].momentum += span * force;
+    motions_[i].angular_momentum += span * torque;
   }
-  masses_.set(now + static_cast<Time>(h), model_.bodies);
+  masses_.set(then, model_.bodies);
   for (std::size_t i = 0; i < motions_.size(); ++i) {
     const Body& body = model_.bodies[i];
     if (body.locked || !takes(i)) continue;
@@ -119,36 +120,51 @@ void BodyPile::kick(Time now, Real h) {
 
 // Newton's restitution against the velocity before the forces of the step; a gap may close, but not more.
 //   u_n >= -e u_n(before) where the points meet within h;  else u_n >= -max(gap, 0)/h
-void BodyPile::set_targets(Time now, Real h) {
+// Forces act for `span`.
+void BodyPile::set_targets(Time now, Real span, Real h) {
   const Real slow = 4 * gravity_ * h + std::numeric_limits<Real>::min();
-  std::fill(struck_.begin(), struck_.end(), char{0});
-  for (std::size_t k = 0; k < blocks_.size(); ++k) {
-    Block& block = blocks_[k];
+  for (Block& block : blocks_) {
     if (!takes(block)) continue;
     block.before = relative_velocity(block, movers_);
-    block.limit = block.friction * h;
-    if (block.kind == Block::Kind::soft) soften(block, now, h);
+    block.bias.setZero();
+    if (block.acted > 0) block.impulse *= span / block.acted;  // where the solution begins
+    block.limit = block.friction * span, block.acted = span;
+    if (block.kind == Block::Kind::soft) soften(block, now, span, h);
     if (!block.is_one_sided()) continue;
     const bool stop = block.kind == Block::Kind::stop;
     const Real gap = stop ? gap_of_stop(block) : block.gap + block.normal.dot(offset(block, motions_));
     const Real u = block.normal.dot(block.before);
     const bool meets = u < 0 && gap + u * h <= 0;
     block.target = meets && block.restitution > 0 ? -block.restitution * u : -std::max(gap, Real(0)) / h;
-    block.impact = !stop && meets && -u > slow;
-    if (stop && meets && block.restitution > 0) note_bounce(block, now);
-    if (block.impact) note_impact(k, now, gap, -u);
+    // Where arms and normals have turned since the last solution, what lasts seems to approach.
+    const Real approach = block.known ? std::min(-u, -block.left_normal.dot(block.left)) : -u;
+    block.impact = meets && (stop ? block.impulse.isZero(0) : approach > slow);
+    block.gap_now = gap;
   }
 }
 
-// The law at the end of the part, with q there = q + h u:
-//   J = h Q = h (F - k (q - r) + c r') - (h c + h c_2 |u_before| + h^2 k) u,  r the target at the end
-void BodyPile::soften(Block& block, Time now, Real h) const {
+void BodyPile::note_impacts(Time now) {
+  std::fill(struck_.begin(), struck_.end(), char{0});
+  for (std::size_t k = 0; k < blocks_.size(); ++k) {
+    const Block& block = blocks_[k];
+    if (!takes(block) || !block.impact) continue;
+    if (block.kind == Block::Kind::stop) {
+      if (block.restitution > 0) note_bounce(block, now);
+    } else {
+      note_impact(k, now, block.gap_now, -speed_now(block));
+    }
+  }
+}
+
+// The law at the end of the part, with q there = q + h u; s the span for which it acts:
+//   J = s Q = s (F - k (q - r) + c r') - s (c + c_2 |u_before| + h k) u,  r the target at the end
+void BodyPile::soften(Block& block, Time now, Real span, Real h) const {
   const CoordinateLaw& law = model_.forces.coordinate_laws[index(block.law)];
   const Real q = row_of(law.at, model_.bodies, motions_.data()).offset;
   const Target::Now target = law.target.at(now + static_cast<Time>(h));
-  block.push = h * (law.force - law.stiffness * (q - target.value) + law.damping * target.rate);
+  block.push = span * (law.force - law.stiffness * (q - target.value) + law.damping * target.rate);
   const Real speed = std::abs(block.normal.dot(block.before));
-  block.drag = h * (law.damping + law.quadratic_damping * speed + h * law.stiffness);
+  block.drag = span * (law.damping + law.quadratic_damping * speed + h * law.stiffness);
 }
 
 // How far the coordinate is from the limit now, negative beyond [m, rad].
@@ -255,6 +271,7 @@ void BodyPile::find_limits(Time now) {
   const Real steps = static_cast<Real>(dt_) / steady_step(model_.forces, model_.bodies, then);
   masses_.set(now, model_.bodies);
   stiff_parts_ = 1;
+  steady_ = steps <= 1;
   if (!(steps > 2 * (1 + 64 * epsilon))) return;
   stiff_parts_ = static_cast<int>(std::min(std::ceil(steps), static_cast<Real>(most_stiff_parts)));
   if (stiff_parts_ <= most_told_) return;
@@ -270,30 +287,39 @@ int BodyPile::parts_of_step() const {
   return static_cast<int>(std::min(std::max(parts, Real(1)), Real(most_step_parts + 1)));
 }
 
-void BodyPile::step() {
-  impacts_.clear(), contacts_.clear();
-  swept_to_ = 0, swept_times_ = 0;
-  const Time now = static_cast<Time>(steps_) * dt_;
+int BodyPile::parts_from(Time now) {
   if (changing_) find_limits(now);
   int parts = parts_of_step();
   if (parts > most_step_parts) {
     parts = most_step_parts;
     log_.note(DiagnosticKind::too_fast, now, most_step_parts);
   }
-  parts = std::max(parts, stiff_parts_);
-  for (int k = 0; k < parts; ++k)
-    advance_part(static_cast<Time>(steps_) * dt_ + k * dt_ / parts, dt_ / parts);
+  return std::max(parts, stiff_parts_);
+}
+
+void BodyPile::step() {
+  impacts_.clear(), contacts_.clear();
+  swept_to_ = 0, swept_times_ = 0;
+  const Time now = static_cast<Time>(steps_) * dt_;
+  const int parts = is_ahead_ ? parts_ahead_ : parts_from(now);
+  for (int k = 0; k < parts; ++k) advance_part(now + k * dt_ / parts, dt_ / parts, k + 1 == parts);
   std::stable_sort(impacts_.begin(), impacts_.end(),
                    [](const Impact& a, const Impact& b) { return a.time < b.time; });
   if (swept_to_ > 0) log_.note(DiagnosticKind::contacts_swept, now, swept_times_, swept_to_);
   ++steps_;
 }
 
-void BodyPile::advance_part(Time now, Time span) {
+void BodyPile::find_contacts(Time now, Time span) {
   found_.find(motions_, movers_, now, span, blocks_);
   if (isolated_) islands_.find(blocks_);
   if (keep_) pressed_.assign(blocks_.size(), Vector3::Zero());
   divide(static_cast<Real>(span));
+}
+
+// `last` of its step.
+void BodyPile::advance_part(Time now, Time span, bool last) {
+  if (!is_ahead_) find_contacts(now, span);
+  if (leaps()) return leap(now, span, last);
   if (!divided_) {
     const bool direct = static_cast<int>(blocks_.size()) <= settings_.direct_points;
     pass(now, span, direct);
@@ -320,7 +346,7 @@ void BodyPile::advance_part(Time now, Time span) {
   taken_.clear();
   for (const Group& group : resting_)
     for (const int k : group.blocks)
-      if (keep_) pressed_[index(k)] = blocks_[index(k)].impulse;
+      if (keep_) pressed_[index(k)] = resting_impulse(blocks_[index(k)], static_cast<Real>(span));
   if (keep_) note_pressed();
   correct_groups(now);
   lay_to_rest(static_cast<Real>(span));
@@ -417,8 +443,10 @@ void BodyPile::substep(Time now, Time h, bool direct) {
   masses_.set(now, model_.bodies);  // a pass before this one may have left those of its end
   set_kinematics();
   if (isolated_) meet_halfway(blocks_, motions_);
-  set_targets(now, static_cast<Real>(h));
-  kick(now, static_cast<Real>(h));
+  set_targets(now, static_cast<Real>(h), static_cast<Real>(h));
+  share_ = 0;
+  note_impacts(now);
+  kick(now, static_cast<Real>(h), now + h);
   if (isolated_) islands_.note(motions_);
   if (direct) {
     solve_directly(now);
@@ -436,16 +464,23 @@ void BodyPile::substep(Time now, Time h, bool direct) {
   model_.forces.follow_turns(model_.bodies, motions_.data(), static_cast<Real>(h));
 }
 
+// Of a block that bears as it did before.
+Vector3 BodyPile::resting_impulse(const Block& block, Real span) {
+  return block.acted > 0 ? Vector3(span / block.acted * block.impulse) : Vector3(Vector3::Zero());
+}
+
 // Bodies where they are by now, normals as they were found.
 void BodyPile::note_pressed() {
-  for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    const Block& block = blocks_[i];
-    const Real pressed = block.normal.dot(pressed_[i]);
-    if (block.kind != Block::Kind::contact || !(pressed > 0)) continue;
-    const Motion& a = motions_[index(block.a)];
-    contacts_.push_back({block.a, block.b, block.plane, a.position + a.orientation * block.anchor,
-                         block.normal, pressed, Vector3(pressed_[i] - pressed * block.normal)});
-  }
+  for (std::size_t i = 0; i < blocks_.size(); ++i) note_pressed(blocks_[i], pressed_[i], contacts_);
+}
+
+void BodyPile::note_pressed(const Block& block, const Vector3& impulse,
+                            std::vector<Contact>& contacts) const {
+  const Real pressed = block.normal.dot(impulse);
+  if (block.kind != Block::Kind::contact || !(pressed > 0)) return;
+  const Motion& a = motions_[index(block.a)];
+  contacts.push_back({block.a, block.b, block.plane, a.position + a.orientation * block.anchor, block.normal,
+                      pressed, Vector3(impulse - pressed * block.normal)});
 }
 
 // The drift of joints goes by moving and turning bodies without their velocities, all of it: Newton's method, each round

@@ -32,8 +32,22 @@ class BodyPile : public Stepper {
  private:
   static constexpr int awake = -1;  // of rest_
   int parts_of_step() const;
+  int parts_from(Time now);
   void find_limits(Time now);
-  void advance_part(Time now, Time span);
+  void advance_part(Time now, Time span, bool last);
+  void find_contacts(Time now, Time span);
+  bool leaps() const;
+  void leap(Time now, Time span, bool last);
+  void kick_ahead(Time now, Real lag, Real h);
+  void set_bias(Real lag, Real h);
+  void forget_parts_of_pairs();
+  void follow_rates(Real lag);
+  void mark_struck(Real h);
+  Real speed_now(const Block&) const;
+  void note_share(bool before);
+  void drift_ahead(Real h);
+  void leave_resting();
+  void land(Time now, Real lag);
   void divide(Real span);
   bool bounces(const Group&, Real span) const;
   bool is_crowd(const Group&) const;
@@ -45,7 +59,7 @@ class BodyPile : public Stepper {
   bool is_on_edge(int body, const Group&) const;
   void meet(const Group&, Time now, Real h);
   static Model with_stiff_laws_held(Model, Time dt);
-  void soften(Block&, Time now, Real h) const;
+  void soften(Block&, Time now, Real span, Real h) const;
   Real gap_of_stop(const Block&) const;
   void look_at_stops();
   void note_impact(std::size_t block, Time now, Real gap, Real approach);
@@ -55,11 +69,14 @@ class BodyPile : public Stepper {
   void solve_directly(Time now);
   bool takes(std::size_t body) const { return taken_.empty() || taken_[body] != 0; }
   bool takes(const Block&) const;
+  static Vector3 resting_impulse(const Block&, Real span);
   void note_pressed();
+  void note_pressed(const Block&, const Vector3& impulse, std::vector<Contact>&) const;
   void note_bounce(const Block&, Time now);
   void set_kinematics();
-  void kick(Time now, Real h);
-  void set_targets(Time now, Real h);
+  void kick(Time now, Real span, Time then);
+  void set_targets(Time now, Real span, Real h);
+  void note_impacts(Time now);
   void sweep(bool warm);
   void carry_impulses();
   void drift(Real h);
@@ -100,6 +117,18 @@ class BodyPile : public Stepper {
   std::vector<Kinematics> kinematics_;
   std::vector<Load> loads_;
   std::vector<Impact> impacts_;
+  // Leaps: K and L in the middle of the part to come, and how fast they changed last; what is told with that part.
+  struct Momenta {
+    Vector3 momentum = Vector3::Zero(), angular_momentum = Vector3::Zero();
+  };
+  bool is_ahead_ = false;
+  int parts_ahead_ = 1;  // of the step to come
+  Real share_ = 0;       // of what the last kick did: till its instant
+  Real kick_ = 0;        // for how long it acted [s]
+  std::vector<Momenta> ahead_, start_, rates_;
+  std::vector<char> jumped_;  // bodies whose groups were struck in the last kick
+  std::vector<Real> stops_;   // and when in the part to come they stop [s]
+  std::vector<Impact> coming_;
   std::vector<Vector3>
       pressed_;  // impulse on `a` per block, over the parts of the step [N s]; while contacts are kept
   std::int64_t steps_;
@@ -114,7 +143,9 @@ class BodyPile : public Stepper {
   DiagnosticLog log_;
   Real gravity_ = 0;  // the strongest [m/s^2]
   bool other_forces_ = false, isolated_ = false;
-  bool paired_ = false;  // a force acts between two bodies that move
+  bool steady_ = true;     // forces together are stable in a step
+  bool implicit_ = false;  // forces in joints are those of the end of a step
+  bool paired_ = false;    // a force acts between two bodies that move
 };
 
 }  // namespace cylon::engine::pile

@@ -118,6 +118,7 @@ void BodyPile::move_crowds(Time now, Time span) {
   crowd_.advance(crowds_, step, model_.bodies, movers_, blocks_, motions_, keep_ ? &pressed_ : nullptr);
   for (std::size_t g = 0; g < crowds_.size(); ++g) {
     meet(crowds_[g], now, h);
+    for (const int k : crowds_[g].blocks) blocks_[index(k)].acted = h;
     swept_to_ = std::max(swept_to_, static_cast<double>(crowd_.residual(g)));
   }
   swept_times_ = std::max(swept_times_, 2 * parts);

@@ -105,7 +105,7 @@ void Direct::set_up(std::vector<Block>& blocks, const std::vector<Body>& bodies,
     row.n = block.normal.cast<double>();
     row.space = block.space.cast<double>();
     row.lambda = block.impulse.cast<double>(), row.best = row.before = row.change = V3::Zero();
-    row.target = static_cast<double>(block.target);
+    row.target = static_cast<double>(block.target), row.bias = block.bias.cast<double>();
     row.turn = -cross_matrix(row.arm), row.to_turn = -cross_matrix(row.to_arm);
     // An angular row's mass is an inertia: that of the masses at the length of the bodies' own.
     double scale = 1;
@@ -126,7 +126,7 @@ void Direct::set_up(std::vector<Block>& blocks, const std::vector<Body>& bodies,
 }
 
 Direct::V3 Direct::velocity(const Row& row, const Vector& v) const {
-  V3 u = V3::Zero();
+  V3 u = row.bias;
   const bool align = row.block->angular;
   if (row.a >= 0)
     u += align ? V3(v.segment<3>(row.a + 3))

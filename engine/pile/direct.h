@@ -38,10 +38,10 @@ class Direct {
   struct Row {
     Block* block;
     int a, b;  // where their six velocities begin, or -1
-    V3 arm, to_arm, n, lambda, best, f;
+    V3 arm, to_arm, n, bias, lambda, best, f;
     V3 before, change;  // of the round before: its f, and f - lambda
     M3 space;
-    M3 turn, to_turn;  // u = v_a + turn w_a - (v_b + to_turn w_b)
+    M3 turn, to_turn;  // u = v_a + turn w_a - (v_b + to_turn w_b) + bias
     double stiffness, limit, start_limit, target;
     M3 slope;           // -df/du
     bool skew = false;  // the slope is not symmetric

@@ -25,7 +25,7 @@ bool Overlaps::displace(const std::vector<Body>& bodies, const std::vector<Block
   residual_ = 0;
   blocks_ = blocks;
   for (Block& block : blocks_) {
-    block.impulse.setZero();
+    block.impulse.setZero(), block.bias.setZero();
     block.limit = block.push = block.drag = 0;  // friction and springs resist no displacement
     if (block.kind == Block::Kind::stop) {
       any |= block.gap < -rounding_of_gap;

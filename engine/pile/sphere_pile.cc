@@ -134,6 +134,7 @@ void SpherePile::advance_part(Time now, Time span) {
   const Lanes inverse_h = spread(static_cast<Real>(1 / h));
   const Real hr = static_cast<Real>(h);
 
+  set_smooth(hr);
   std::copy_n(velocity, spheres_.velocity.size(), before);
   for (std::size_t k = 0; k < numbers; ++k) velocity[k] += hr * kick[k];
   found_.sweep([&](const auto& batch) { warm_start(batch, velocity); });
@@ -207,21 +208,53 @@ void SpherePile::advance_alone(Time span) {
   for (int part = 0; part < n; ++part) {
     for (std::size_t k = 0; k < spheres_.velocity.size(); ++k) velocity[k] += h * spheres_.kick[k];
     found_.sweep([&](const auto& batch) { solve_alone(batch, velocity, place, inverse_h); });
-    drift(h, false);
+    drift_alone(h);
   }
   const Lanes share = spread(settings_.relaxation), slop = spread(settings_.slop * smallest_);
   found_.sweep([&](const auto& batch) { separate_alone(batch, velocity, place, share, slop); });
 }
 
-// p += h v; then, for the next part, the forces and this part's impulses again: v += v - v_before.
+// p += h v
+void SpherePile::drift_alone(Real h) {
+  for (int i = 0; i < spheres_.count; ++i)
+    for (int c = 0; c < 3; ++c)
+      spheres_.place[static_cast<std::size_t>(place_stride * i + c)] += h * spheres_.v(i)[c];
+}
+
+// Of spheres that are near one plane, or nothing: its normal, and what their velocity changes by in a part of length h, at
+// most, where gravity and that plane alone change it.
+void SpherePile::set_smooth(Real h) {
+  const auto at = [&](int i) -> Smooth& { return smooth_[static_cast<std::size_t>(i)]; };
+  smooth_.assign(static_cast<std::size_t>(spheres_.count), Smooth{Row{}, Real(1.5) * gravity_ * h});
+  found_.each([&](const auto& batch) {
+    for (int lane = 0; lane < lane_count; ++lane) {
+      if (batch.a[lane] >= spheres_.count) continue;
+      Smooth& a = at(batch.a[lane]);
+      const bool first = a.normal[0] == 0 && a.normal[1] == 0 && a.normal[2] == 0;
+      if (!batch.plane || !first) a.most = 0;
+      if (!batch.plane) at(batch.b[lane]).most = 0;
+      a.normal = Row{batch.normal.x[lane], batch.normal.y[lane], batch.normal.z[lane], 0};
+    }
+  });
+}
+
+// p += h (v_before + v)/2 of a sphere that falls, and along the plane on which it slides or rolls: its acceleration is
+// constant, and its path of second order.  Else p += h v, which is what contacts are solved for.  Then, for the next part,
+// the forces and this part's impulses again: v += v - v_before.
 void SpherePile::drift(Real h, bool again) {
-  using Row = Real __attribute__((vector_size(4 * sizeof(Real))));
   auto* const place = reinterpret_cast<Row*>(spheres_.place.data());
   auto* const velocity = reinterpret_cast<Row*>(spheres_.velocity.data());
   auto* const before = reinterpret_cast<Row*>(spheres_.before.data());
   const Row hs = {h, h, h, 0};
   const auto count = static_cast<std::size_t>(spheres_.count);
-  for (std::size_t i = 0; i < count; ++i) place[i] += hs * velocity[2 * i];
+  for (std::size_t i = 0; i < count; ++i) {
+    const Row change = velocity[2 * i] - before[2 * i];
+    const auto& [normal, most] = smooth_[i];
+    Row smooth = change <= most && change >= -most ? change : Row{};
+    const Row along = smooth * normal;
+    smooth -= (along[0] + along[1] + along[2]) * normal;
+    place[i] += hs * (velocity[2 * i] - smooth / 2);
+  }
   if (!again) return;
   for (std::size_t k = 0; k < 2 * count; ++k) {
     const Row now = velocity[k];

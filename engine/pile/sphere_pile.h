@@ -28,6 +28,8 @@ class SpherePile : public Stepper {
   void advance_part(Time now, Time span);
   void advance_alone(Time span);
   void drift(Real h, bool again);
+  void drift_alone(Real h);
+  void set_smooth(Real h);
   void turn(Time span);
   void add_pressed();
   void note_pressed();
@@ -52,6 +54,12 @@ class SpherePile : public Stepper {
   Real smallest_ = 0, largest_ = 0;  // radius
   DiagnosticLog log_;
   Time part_ = 0;  // of the last part of a step [s]
+  using Row = Real __attribute__((vector_size(4 * sizeof(Real))));
+  struct Smooth {
+    Row normal;
+    Real most;  // [m/s]
+  };
+  std::vector<Smooth> smooth_;  // of each sphere
   bool alone_ = false;
   Real gravity_ = 0;  // the strongest [m/s^2]
 };

@@ -60,6 +60,12 @@ std::vector<double> least(Objective& objective, std::vector<double> from, const 
   search.set_ftol_abs(1e-3);
   search.set_xtol_abs(accuracy);
   search.set_maxeval(200 * static_cast<int>(parameters.size()));
+  // BOBYQA scales parameters by their steps and can leave a bound by rounding, and refuses to start there.
+  const auto inside = [&](std::vector<double> values) {
+    for (std::size_t j = 0; j < values.size(); ++j) values[j] = std::clamp(values[j], low[j], high[j]);
+    return values;
+  };
+  from = inside(std::move(from));
   double deviance = 0;
   try {
     search.optimize(from, deviance);
@@ -68,7 +74,7 @@ std::vector<double> least(Objective& objective, std::vector<double> from, const 
   } catch (const nlopt::roundoff_limited&) {
     // The region shrank to rounding: `from` is the best point so far.
   }
-  return from;
+  return inside(std::move(from));
 }
 
 double clamped(double value, const Parameter& p) { return std::clamp(value, p.low, p.high); }

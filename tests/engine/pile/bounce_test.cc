@@ -50,14 +50,13 @@ Real gain(const Bouncing& c, int per_second) {
   return most / start;
 }
 
-// What is left is that of the step, m g dt |u| at each impact: 0.001 of the energy at 1/500 s.  It was 0.003 to 0.07, and
-// did not fall with the step.
+// A step changes the energy by what its impulses do, and by what it takes to move bodies out of each other.
 TEST(RestitutionGivesNoEnergy, OnAPlaneAndOnALockedBox) {
   for (const Bouncing& c :
        {Bouncing{1, 1, false}, Bouncing{1, Real(0.4), true}, Bouncing{Real(0.9), 1, false}}) {
     const Real coarse = gain(c, 500), fine = gain(c, 4000);
-    EXPECT_LT(coarse, Real(0.002)) << c.restitution << ' ' << c.friction;
-    EXPECT_LT(fine, coarse / 3) << c.restitution << ' ' << c.friction;
+    EXPECT_LT(coarse, Real(1e-4)) << c.restitution << ' ' << c.friction;
+    EXPECT_LT(fine, std::max(coarse / 16, Real(1e-10))) << c.restitution << ' ' << c.friction;
   }
 }
 

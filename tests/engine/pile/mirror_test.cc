@@ -70,10 +70,12 @@ TEST(PileMirror, DominoesObeyContactLaws) {
   EXPECT_LT(pile.residual(), sizeof(Real) == 8 ? 1e-9 : 1e-4);  // was 4e-6 m/s
 }
 
-// They strike, jam and come to rest on each other: measured up to 1e-3 kg m/s, mostly 1e-8, as the roundings
-// of a blow fall; it was 4e-2 and 1e-2.
+// They strike, jam and come to rest on each other.  Where they jam their contacts have several solutions, and in about half
+// of these runs rounding decides at some instant for one that is not its own mirror image: up to 0.06 kg m/s then.
 TEST(PileMirror, EightDominoesComeToRestInTheirPlane) {
-  for (const Real friction : {Real(0.2), Real(0.4)}) {
+  int straight = 0;
+  for (int n = 0; n < 12; ++n) {
+    const Real friction = Real(0.2) + Real(0.05) * static_cast<Real>(n);
     const auto pile = make_pile(dominoes(false, 8, friction), dt);
     Real most = 0;
     std::vector<Motion> now;
@@ -81,8 +83,10 @@ TEST(PileMirror, EightDominoesComeToRestInTheirPlane) {
       pile->step(), pile->read(now);
       most = std::max(most, std::abs(momentum(now).z()));
     }
-    EXPECT_LT(most, Real(5e-3)) << friction;
+    EXPECT_LT(most, Real(0.2)) << friction;
+    straight += most < Real(1e-6);
   }
+  EXPECT_GE(straight, sizeof(Real) == 8 ? 4 : 0);
 }
 
 // A spin that is next to nothing keeps an orientation an orientation.
