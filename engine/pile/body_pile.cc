@@ -90,16 +90,19 @@ void BodyPile::set_kinematics() {
   }
 }
 
-// K += F span, L += torque span; gravity alone needs no loads.  Forces are those of now, masses from here on those of
-// `then`:  v = K(then)/m(then).
-void BodyPile::kick(Time now, Real span, Time then) {
-  if (other_forces_) {
-    kinematics_.resize(motions_.size()), loads_.resize(motions_.size());
-    for (std::size_t i = 0; i < motions_.size(); ++i)
-      kinematics_[i] = {motions_[i].orientation.toRotationMatrix(), movers_[i].v, movers_[i].w};
-    apply(model_.forces, now, model_.bodies, motions_.size(), motions_.data(), kinematics_.data(),
-          loads_.data());
-  }
+// The forces of now; gravity alone needs none.
+void BodyPile::load(Time now) {
+  if (!other_forces_) return;
+  kinematics_.resize(motions_.size()), loads_.resize(motions_.size());
+  for (std::size_t i = 0; i < motions_.size(); ++i)
+    kinematics_[i] = {motions_[i].orientation.toRotationMatrix(), movers_[i].v, movers_[i].w};
+  apply(model_.forces, now, model_.bodies, motions_.size(), motions_.data(), kinematics_.data(),
+        loads_.data());
+}
+
+// K += F span, L += torque span, with forces and masses of before; masses from here on those of `then`:
+//   v = K(then)/m(then)
+void BodyPile::kick(Real span, Time then) {
   for (std::size_t i = 0; i < motions_.size(); ++i) {
     const Body& body = model_.bodies[i];
     if (body.locked || !takes(i)) continue;
@@ -446,7 +449,8 @@ void BodyPile::substep(Time now, Time h, bool direct) {
   set_targets(now, static_cast<Real>(h), static_cast<Real>(h));
   share_ = 0;
   note_impacts(now);
-  kick(now, static_cast<Real>(h), now + h);
+  load(now);
+  kick(static_cast<Real>(h), now + h);
   if (isolated_) islands_.note(motions_);
   if (direct) {
     solve_directly(now);

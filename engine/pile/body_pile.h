@@ -41,7 +41,7 @@ class BodyPile : public Stepper {
   void kick_ahead(Time now, Real lag, Real h);
   void set_bias(Real lag, Real h);
   void forget_parts_of_pairs();
-  void follow_rates(Real lag);
+  void load_ahead(Time now, Real lag);
   void mark_struck(Real h);
   Real speed_now(const Block&) const;
   void note_share(bool before);
@@ -74,7 +74,8 @@ class BodyPile : public Stepper {
   void note_pressed(const Block&, const Vector3& impulse, std::vector<Contact>&) const;
   void note_bounce(const Block&, Time now);
   void set_kinematics();
-  void kick(Time now, Real span, Time then);
+  void load(Time now);
+  void kick(Real span, Time then);
   void set_targets(Time now, Real span, Real h);
   void note_impacts(Time now);
   void sweep(bool warm);

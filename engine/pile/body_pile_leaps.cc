@@ -51,7 +51,7 @@ void BodyPile::leap(Time now, Time span, bool last) {
   const Time then = now + span;
   if (last) parts_ahead_ = parts_from(static_cast<Time>(steps_ + 1) * dt_);
   const Time next = last ? dt_ / parts_ahead_ : span;
-  masses_.set(then, model_.bodies);
+  masses_.set(then - span / 2, model_.bodies);  // of the momenta that the bodies have now
   set_kinematics();
   find_contacts(then, next);
   // Of gaps as they are now: along the normals of the part before they are off by what bends the path.
@@ -101,8 +101,8 @@ void BodyPile::kick_ahead(Time now, Real lag, Real h) {
   start_.resize(motions_.size()), ahead_.resize(motions_.size()), rates_.resize(motions_.size());
   for (std::size_t i = 0; i < motions_.size(); ++i)
     start_[i] = {motions_[i].momentum, motions_[i].angular_momentum};
-  follow_rates(lag);
-  kick(now, span, now + static_cast<Time>(h) / 2);
+  load_ahead(now, lag);
+  kick(span, now + static_cast<Time>(h) / 2);
   for (std::size_t i = 0; i < motions_.size(); ++i)  // of the forces alone, by now
     rates_[i] = {(motions_[i].momentum - start_[i].momentum) / span,
                  (motions_[i].angular_momentum - start_[i].angular_momentum) / span};
@@ -201,13 +201,17 @@ void BodyPile::forget_parts_of_pairs() {
 
 // Forces that depend on velocities take those of now.  Where a step is longer than what is stable they take the earlier
 // ones, which are stable in twice as long a step.
-void BodyPile::follow_rates(Real lag) {
-  if (lag == 0 || !other_forces_ || !steady_) return;
-  for (std::size_t i = 0; i < movers_.size(); ++i) {
-    Mover& mover = movers_[i];
-    mover.v += lag * mover.inverse_mass * rates_[i].momentum;
-    mover.w += lag * (mover.inverse_inertia * rates_[i].angular_momentum);
+void BodyPile::load_ahead(Time now, Real lag) {
+  masses_.set(now, model_.bodies);
+  if (!other_forces_) return;
+  for (std::size_t i = 0; lag > 0 && steady_ && i < motions_.size(); ++i) {
+    motions_[i].momentum += lag * rates_[i].momentum;
+    motions_[i].angular_momentum += lag * rates_[i].angular_momentum;
   }
+  set_kinematics();
+  load(now);
+  for (std::size_t i = 0; i < motions_.size(); ++i)
+    motions_[i].momentum = start_[i].momentum, motions_[i].angular_momentum = start_[i].angular_momentum;
 }
 
 // Bodies that touch, or are joined to, what is struck: their velocities jump.  The first impact of such a group that gives
@@ -244,7 +248,10 @@ void BodyPile::mark_struck(Real h) {
 
 // Where steps to come are no leaps: K of now, by the forces alone.
 void BodyPile::land(Time now, Real lag) {
-  kick(now, lag, now);
+  masses_.set(now, model_.bodies);
+  set_kinematics();
+  load(now);
+  kick(lag, now);
   if (keep_)
     for (const Block& block : blocks_)
       if (!takes(block)) note_pressed(block, resting_impulse(block, lag), contacts_);

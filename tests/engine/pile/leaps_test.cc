@@ -131,6 +131,27 @@ TEST(Leaps, AreOfSecondOrderWhereNothingStrikes) {
   }
 }
 
+// Drag on momenta, masses that change, water, springs, attraction, joints: forces that depend on velocities take those of
+// their own instant.
+TEST(Leaps, MixedForcesAreOfSecondOrder) {
+  if (sizeof(Real) == 4) GTEST_SKIP() << "rounding is larger";
+  for (const std::uint32_t number : {143U, 154U, 158U, 277U, 290U, 447U, 473U}) {
+    const MixedScene scene = mixed_scene(number);
+    Options events = with("rk8", 1. / 512);
+    events.path = "events";
+    const Ran truth = run_to_end(scene.model, events);
+    const auto off = [&](int part) {
+      Options steps = with("auto", 1. / part);
+      steps.path = "stepping";
+      return apart(scene.model.bodies, truth.motions, run_to_end(scene.model, steps).motions);
+    };
+    const Real coarse = off(256), fine = off(1024);
+    EXPECT_GT(coarse, 1e-8) << scene.text;
+    EXPECT_GE(std::log2(coarse / fine) / 2, 1.9)
+        << number << scene.text << ": " << coarse << ", then " << fine;
+  }
+}
+
 // Balls that roll and slide on a plane have a constant acceleration: their steps err by nothing but when slip ends.
 TEST(Leaps, SpheresOnAPlaneAreOfSecondOrder) {
   const Real slope = Real(0.2), c = std::cos(slope), s = std::sin(slope);
