@@ -5,6 +5,7 @@
 //
 // Between steps motions are those of one instant, K(t) = K(t - h/2) + h/2 F(t), and the impulses of t are half in the
 // step that ends there, half in the next.  What an impact gives is all in the next.
+#include "engine/free_rotation.h"
 #include "engine/pile/body_pile.h"
 
 #include <algorithm>

@@ -19,8 +19,9 @@ Model pile(Bodies kind, int count, Real restitution, Real friction, Real shift) 
   add_ball(model, 1, Real(0.4), {Real(0.3), Real(0.4), Real(0.2)});
   model.bodies.back() = make_body(1, Matrix3::Identity(), true);  // the pillar
   for (int i = 0; i < count; ++i) {
+    const int layer = i / 4;
     const Real x = Real(0.71) * static_cast<Real>(i % 4) + shift,
-               y = Real(1.2) + Real(0.75) * static_cast<Real>(i / 4),
+               y = Real(1.2) + Real(0.75) * static_cast<Real>(layer),
                z = Real(0.13) * static_cast<Real>(i % 3) - shift;
     const Vector3 v = {Real(0.3) - shift, Real(-0.2) * static_cast<Real>(i % 2), Real(0.1)};
     if (kind == Bodies::boxes || (kind == Bodies::mixed && i % 2 == 0))

@@ -131,24 +131,36 @@ TEST(Leaps, AreOfSecondOrderWhereNothingStrikes) {
   }
 }
 
+// How far a mixed scene in steps, so many a second, ends from itself by events.
+class MixedBySteps {
+ public:
+  explicit MixedBySteps(std::uint32_t number) : scene_(mixed_scene(number)) {
+    Options events = with("rk8", 1. / 512);
+    events.path = "events";
+    truth_ = run_to_end(scene_.model, events);
+  }
+  const std::string& text() const { return scene_.text; }
+  Real off(int per_second) const {
+    Options steps = with("auto", 1. / per_second);
+    steps.path = "stepping";
+    return apart(scene_.model.bodies, truth_.motions, run_to_end(scene_.model, steps).motions);
+  }
+
+ private:
+  MixedScene scene_;
+  Ran truth_;
+};
+
 // Drag on momenta, masses that change, water, springs, attraction, joints: forces that depend on velocities take those of
 // their own instant.
 TEST(Leaps, MixedForcesAreOfSecondOrder) {
   if (sizeof(Real) == 4) GTEST_SKIP() << "rounding is larger";
   for (const std::uint32_t number : {143U, 154U, 158U, 277U, 290U, 447U, 473U}) {
-    const MixedScene scene = mixed_scene(number);
-    Options events = with("rk8", 1. / 512);
-    events.path = "events";
-    const Ran truth = run_to_end(scene.model, events);
-    const auto off = [&](int part) {
-      Options steps = with("auto", 1. / part);
-      steps.path = "stepping";
-      return apart(scene.model.bodies, truth.motions, run_to_end(scene.model, steps).motions);
-    };
-    const Real coarse = off(256), fine = off(1024);
-    EXPECT_GT(coarse, 1e-8) << scene.text;
+    const MixedBySteps scene(number);
+    const Real coarse = scene.off(256), fine = scene.off(1024);
+    EXPECT_GT(coarse, 1e-8) << scene.text();
     EXPECT_GE(std::log2(coarse / fine) / 2, 1.9)
-        << number << scene.text << ": " << coarse << ", then " << fine;
+        << number << scene.text() << ": " << coarse << ", then " << fine;
   }
 }
 
@@ -183,17 +195,9 @@ TEST(Leaps, ElasticBouncesKeepTheEnergy) {
 TEST(Leaps, ImpactsThatStopConvergeWithTheStep) {
   if (sizeof(Real) == 4) GTEST_SKIP() << "rounding is larger";
   for (const std::uint32_t number : {203U, 209U}) {
-    const MixedScene scene = mixed_scene(number);
-    Options events = with("rk8", 1. / 256);
-    events.path = "events";
-    const Ran truth = run_to_end(scene.model, events);
-    const auto off = [&](int part) {
-      Options steps = with("auto", 1. / part);
-      steps.path = "stepping";
-      return apart(scene.model.bodies, truth.motions, run_to_end(scene.model, steps).motions);
-    };
-    EXPECT_LT(off(1 << 15), Real(2e-3)) << number;  // was 7e-3 and 4e-2
-    EXPECT_LT(off(1 << 17), Real(6e-4)) << number;  // was 2e-2 and 8e-3
+    const MixedBySteps scene(number);
+    EXPECT_LT(scene.off(1 << 15), Real(2e-3)) << number;  // was 7e-3 and 4e-2
+    EXPECT_LT(scene.off(1 << 17), Real(6e-4)) << number;  // was 2e-2 and 8e-3
   }
 }
 

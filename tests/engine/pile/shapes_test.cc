@@ -289,13 +289,15 @@ TEST(PileShapes, MixedShapesSettle) {
   Model model = incline(0, Real(0.5), Floor::triangles);
   for (const Vector3& n : {Vector3(1, 0, 0), Vector3(-1, 0, 0), Vector3(0, 0, 1), Vector3(0, 0, -1)})
     model.planes.push_back({n, Real(-1.2)}), model.plane_surfaces.push_back(0);
-  for (int i = 0; i < 40; ++i)
+  for (int i = 0; i < 40; ++i) {
+    const int layer = i / 9;
     add_body(
         model, make_body(1, Matrix3::Identity() * Real(0.02)), kinds[i % 6],
-        {Real(-0.7) + Real(0.7) * static_cast<Real>(i % 3), Real(0.5) + Real(0.75) * static_cast<Real>(i / 9),
+        {Real(-0.7) + Real(0.7) * static_cast<Real>(i % 3), Real(0.5) + Real(0.75) * static_cast<Real>(layer),
          Real(-0.7) + Real(0.7) * static_cast<Real>(i / 3 % 3)},
         Vector3::Zero(), {Real(0.1), Real(0.2), 0},
         Quaternion(Eigen::AngleAxis<Real>(Real(0.3) * static_cast<Real>(i), Vector3(1, 2, 3).normalized())));
+  }
   const auto end = after(*make_pile(model, 1. / 60), 240);
   Real fastest = 0, deepest = 0;
   for (std::size_t i = 1; i < end.size(); ++i) {
