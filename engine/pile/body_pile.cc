@@ -274,7 +274,7 @@ void BodyPile::find_limits(Time now) {
   const Real steps = static_cast<Real>(dt_) / steady_step(model_.forces, model_.bodies, then);
   masses_.set(now, model_.bodies);
   stiff_parts_ = 1;
-  steady_ = steps <= 1;
+  steady_ = steps <= Real(0.5);
   if (!(steps > 2 * (1 + 64 * epsilon))) return;
   stiff_parts_ = static_cast<int>(std::min(std::ceil(steps), static_cast<Real>(most_stiff_parts)));
   if (stiff_parts_ <= most_told_) return;

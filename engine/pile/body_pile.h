@@ -144,7 +144,7 @@ class BodyPile : public Stepper {
   DiagnosticLog log_;
   Real gravity_ = 0;  // the strongest [m/s^2]
   bool other_forces_ = false, isolated_ = false;
-  bool steady_ = true;     // forces together are stable in a step
+  bool steady_ = true;     // a step is at most half of one in which forces do not overshoot
   bool implicit_ = false;  // forces in joints are those of the end of a step
   bool paired_ = false;    // a force acts between two bodies that move
 };

@@ -200,8 +200,8 @@ void BodyPile::forget_parts_of_pairs() {
   }
 }
 
-// Forces that depend on velocities take those of now.  Where a step is longer than what is stable they take the earlier
-// ones, which are stable in twice as long a step.
+// Forces that depend on velocities take those of now, of which the last step tells the change: the method of Adams and
+// Bashforth, which is stable in half as long a step as what takes the velocities of before.  In longer steps they do that.
 void BodyPile::load_ahead(Time now, Real lag) {
   masses_.set(now, model_.bodies);
   if (!other_forces_) return;

@@ -98,7 +98,7 @@ class Run(Command):
 
     def facts(self, here):
         rows = json.loads((here / "out.json").read_text())["verdicts"]
-        return [{k: v for k, v in row.items() if k not in ("cpu_seconds", "reproduce")} for row in rows]
+        return [{k: v for k, v in row.items() if k not in ("cpu_seconds", "cpu_verified", "reproduce")} for row in rows]
 
 
 class Shards(Run):
