@@ -12,7 +12,6 @@ namespace cylon::engine::pile {
 namespace {
 
 constexpr int most_step_parts = 16, close_rounds = 16;
-constexpr std::size_t solved_at_once = 16;  // bodies
 // Of a step, for stiff forces; what needs more is told as unstable.
 constexpr int most_stiff_parts = 1024;
 
@@ -421,18 +420,17 @@ void BodyPile::correct_groups(Time now) {
   set_kinematics();
 }
 
-// Group by group: nothing ties the solutions of two, and one of many bodies costs more than one of each group.
+// One by one where there are too many blocks for one solution.
 void BodyPile::solve_directly(Time now) {
   const auto note = [&](bool solved) {
     if (!solved) log_.note(DiagnosticKind::contacts_unsolved, now, {}, direct_.residual());
     residual_ = std::max(residual_, direct_.residual());
   };
-  const std::vector<Group> all = divided_ ? std::vector<Group>() : find_groups(blocks_, movers_);
-  std::size_t bodies = 0;
-  for (const Group& group : all) bodies += group.bodies.size();
-  if (!all.empty() && (all.size() == 1 || bodies <= solved_at_once))
-    return note(direct_.solve(blocks_, model_.bodies, movers_));
-  for (const Group& group : divided_ ? groups_ : all) {
+  if (!divided_) {
+    if (!blocks_.empty()) note(direct_.solve(blocks_, model_.bodies, movers_));
+    return;
+  }
+  for (const Group& group : groups_) {
     lists_.gather(group, blocks_, model_.bodies, movers_, motions_);
     note(direct_.solve(lists_.blocks, lists_.bodies, lists_.movers));
     for (std::size_t k = 0; k < group.blocks.size(); ++k)

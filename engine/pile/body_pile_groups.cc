@@ -88,9 +88,8 @@ bool BodyPile::is_on_edge(int body, const Group& group) const {
 }
 
 // Groups that hardly move before and after a step: what is left of their velocities is the solver's.  A body
-// that turns back hardly moves only once.  Whether one was laid to rest.
-bool BodyPile::lay_to_rest(Real span) {
-  bool any = false;
+// that turns back hardly moves only once.
+void BodyPile::lay_to_rest(Real span) {
   constexpr Real part = std::max(Real(1) / (1 << 20), 16 * epsilon);
   const Real speed = part * gravity_ * span;
   const auto look = [&](const Group& group) {
@@ -99,7 +98,6 @@ bool BodyPile::lay_to_rest(Real span) {
     const bool rest = now && std::all_of(group.bodies.begin(), group.bodies.end(), was_still) &&
                       std::none_of(group.bodies.begin(), group.bodies.end(),
                                    [&](int body) { return is_on_edge(body, group); });
-    any |= rest;
     for (const int body : group.bodies) {
       still_[index(body)] = now;
       if (!rest || model_.bodies[index(body)].locked) continue;
@@ -111,7 +109,6 @@ bool BodyPile::lay_to_rest(Real span) {
   for (std::size_t k = 0; k < groups_.size(); ++k)
     if (!displaced_[k]) look(groups_[k]);
   for (const Group& group : crowds_) look(group);
-  return any;
 }
 
 void BodyPile::move_crowds(Time now, Time span) {

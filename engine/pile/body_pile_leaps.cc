@@ -56,12 +56,10 @@ void BodyPile::leap(Time now, Time span, bool last) {
   set_kinematics();
   find_contacts(then, next);
   // Of gaps as they are now: along the normals of the part before they are off by what bends the path.
-  if (divided_) {
-    correct_groups(then);
-    if (lay_to_rest(h)) divide(static_cast<Real>(next));
-  } else {
+  if (divided_)
+    correct_groups(then), lay_to_rest(h), divide(static_cast<Real>(next));
+  else
     correct_positions(then, leaps());
-  }
   leave_resting();
   if (leaps())
     kick_ahead(then, h / 2, static_cast<Real>(next));
