@@ -41,7 +41,10 @@ Eigen::Matrix3d heavy_inverse(const Eigen::Matrix3d& inverse) {
 void Direct::order(const std::vector<Block>& blocks, const std::vector<Mover>& movers) {
   const int n = static_cast<int>(movers.size());
   std::vector<std::vector<int>> next(movers.size());
+  std::vector<char> bound(movers.size(), 0);  // no row changes the others
   for (const Block& block : blocks) {
+    bound[index(block.a)] = 1;
+    if (block.b != fixed_world) bound[index(block.b)] = 1;
     if (block.b == fixed_world || !moves(movers[index(block.a)]) || !moves(movers[index(block.b)])) continue;
     next[index(block.a)].push_back(block.b), next[index(block.b)].push_back(block.a);
   }
@@ -53,7 +56,7 @@ void Direct::order(const std::vector<Block>& blocks, const std::vector<Mover>& m
   bodies_.clear();
   std::vector<int> starts;
   for (int i = 0; i < n; ++i)
-    if (moves(movers[index(i)])) starts.push_back(i);
+    if (bound[index(i)] && moves(movers[index(i)])) starts.push_back(i);
   std::stable_sort(starts.begin(), starts.end(),
                    [&](int i, int j) { return next[index(i)].size() < next[index(j)].size(); });
   for (int start : starts) {

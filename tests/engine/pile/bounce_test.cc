@@ -50,13 +50,17 @@ Real gain(const Bouncing& c, int per_second) {
   return most / start;
 }
 
-// A step changes the energy by what its impulses do, and by what it takes to move bodies out of each other.
+// A step changes the energy by what its impulses do, and by what it takes to lift a corner out of the floor: its path bends by
+// w^2 r h^2/2 = 8 h^2 [m] in a step of length h, some times of the fall of 1.3 m.  It was 0.003 to 0.07, and did not fall with
+// the step.
 TEST(RestitutionGivesNoEnergy, OnAPlaneAndOnALockedBox) {
   for (const Bouncing& c :
        {Bouncing{1, 1, false}, Bouncing{1, Real(0.4), true}, Bouncing{Real(0.9), 1, false}}) {
-    const Real coarse = gain(c, 500), fine = gain(c, 4000);
-    EXPECT_LT(coarse, Real(1e-4)) << c.restitution << ' ' << c.friction;
-    EXPECT_LT(fine, std::max(coarse / 16, Real(1e-10))) << c.restitution << ' ' << c.friction;
+    for (const int per_second : {500, 4000}) {
+      const Real h = 1 / static_cast<Real>(per_second);
+      EXPECT_LT(gain(c, per_second), 5 * 8 * h * h / Real(1.3))
+          << c.restitution << ' ' << c.friction << ' ' << h;
+    }
   }
 }
 
