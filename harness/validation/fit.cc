@@ -44,6 +44,8 @@ double asked(const std::vector<double>& values, std::vector<double>&, void* obje
   }
 }
 
+double clamped(double value, const Parameter& p) { return std::clamp(value, p.low, p.high); }
+
 // The least deviance from there on: a tenth of what changes it by 0.1, so that the rest is 0.03 of a standard error.
 std::vector<double> least(Objective& objective, std::vector<double> from, const std::vector<double>& steps) {
   const std::vector<Parameter>& parameters = objective.likelihood.parameters();
@@ -62,7 +64,7 @@ std::vector<double> least(Objective& objective, std::vector<double> from, const 
   search.set_maxeval(200 * static_cast<int>(parameters.size()));
   // BOBYQA scales parameters by their steps and can leave a bound by rounding, and refuses to start there.
   const auto inside = [&](std::vector<double> values) {
-    for (std::size_t j = 0; j < values.size(); ++j) values[j] = std::clamp(values[j], low[j], high[j]);
+    for (std::size_t j = 0; j < values.size(); ++j) values[j] = clamped(values[j], parameters[j]);
     return values;
   };
   from = inside(std::move(from));
@@ -76,8 +78,6 @@ std::vector<double> least(Objective& objective, std::vector<double> from, const 
   }
   return inside(std::move(from));
 }
-
-double clamped(double value, const Parameter& p) { return std::clamp(value, p.low, p.high); }
 
 }  // namespace
 
