@@ -70,7 +70,7 @@ TEST(PileMirror, DominoesObeyContactLaws) {
   EXPECT_LT(pile.residual(), sizeof(Real) == 8 ? 1e-9 : 1e-4);  // was 4e-6 m/s
 }
 
-// They strike, jam and come to rest on each other.  Where they jam their contacts have several solutions, and in about half
+// They strike, jam and come to rest on each other.  Where they jam their contacts have several solutions, and in a third
 // of these runs rounding decides at some instant for one that is not its own mirror image: up to 0.06 kg m/s then.
 TEST(PileMirror, EightDominoesComeToRestInTheirPlane) {
   int straight = 0;
@@ -83,10 +83,10 @@ TEST(PileMirror, EightDominoesComeToRestInTheirPlane) {
       pile->step(), pile->read(now);
       most = std::max(most, std::abs(momentum(now).z()));
     }
-    EXPECT_LT(most, Real(0.2)) << friction;
+    EXPECT_LT(most, Real(0.1)) << friction;
     straight += most < Real(1e-6);
   }
-  EXPECT_GE(straight, sizeof(Real) == 8 ? 4 : 0);
+  EXPECT_GE(straight, sizeof(Real) == 8 ? 6 : 0);  // 8
 }
 
 // A spin that is next to nothing keeps an orientation an orientation.

@@ -127,27 +127,33 @@ TEST(PileSphere, RestsOnOthersWithinTheSlop) {
   for (const Motion& m : end) EXPECT_LT(m.momentum.norm(), Real(0.05));
 }
 
-// Nothing feeds energy in but rounding, lifting what overlaps, and impulses of the part before that one sweep
-// does not take back at once: all some thousandths of the energy of the fall, in the step in which the lowest layer lands.
+// Nothing feeds energy in but rounding, lifting what overlaps, and impulses of the part before that one sweep does not take
+// back at once: in the mean over heights of the drop less than a thousandth of the energy of the fall.  At one height it is
+// 2e-3, where the lowest layer lands early in a step; 1e-3 at one height alone was luck.
 TEST(PileSphere, LosesEnergy) {
-  const Model model = ball_pile(4, 4, 0, Real(0.5));
-  const auto stepper = make_pile(model, 1. / 120);
-  std::vector<Motion> motions;
-  const double start = mechanical_energy(model, model.motions);
-  double lowest = start, worst = 0, worst_settled = 0;
-  for (int k = 0; k < 1200; ++k) {
-    stepper->step();
-    stepper->read(motions);
-    const double now = mechanical_energy(model, motions);
-    worst = std::max(worst, now - lowest);
-    if (k >= 600) worst_settled = std::max(worst_settled, now - lowest);
-    lowest = std::min(lowest, now);
+  constexpr int heights = 14;
+  double sum = 0;
+  for (int n = 0; n < heights; ++n) {
+    Model model = ball_pile(4, 4, 0, Real(0.5));
+    for (Motion& motion : model.motions) motion.position.y() += Real(0.004) * static_cast<Real>(n);
+    const auto stepper = make_pile(model, 1. / 120);
+    std::vector<Motion> motions;
+    const double start = mechanical_energy(model, model.motions);
+    double lowest = start, worst = 0, worst_settled = 0;
+    for (int k = 0; k < 1200; ++k) {
+      stepper->step();
+      stepper->read(motions);
+      const double now = mechanical_energy(model, motions);
+      worst = std::max(worst, now - lowest);
+      if (k >= 600) worst_settled = std::max(worst_settled, now - lowest);
+      lowest = std::min(lowest, now);
+    }
+    sum += worst / start;
+    EXPECT_LT(worst, 2.5e-3 * start) << n;
+    EXPECT_LT(worst_settled, 1e-5 * start) << n;
+    EXPECT_LT(lowest, 0.9 * start) << n;
   }
-  RecordProperty("worst", std::to_string(worst));
-  RecordProperty("worst_settled", std::to_string(worst_settled));
-  EXPECT_LT(worst, 2e-3 * start);  // 1.0e-3 to 1.2e-3
-  EXPECT_LT(worst_settled, 1e-5 * start);
-  EXPECT_LT(lowest, 0.9 * start);
+  EXPECT_LT(sum / heights, 1e-3);
 }
 
 TEST(PileSphere, ElasticGasKeepsItsEnergy) {
