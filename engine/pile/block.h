@@ -17,6 +17,14 @@ struct Mover {
 };
 inline bool moves(const Mover& m) { return m.inverse_mass > 0 || !m.inverse_inertia.isZero(0); }
 
+/// What a block keeps of the solution that gave it its impulse.
+struct Past {
+  Real acted = 0;                     ///< For how long, of what forces gave [s].
+  bool known = false;                 ///< Whether that was a leap, which left:
+  Vector3 u = Vector3::Zero();        ///< Of hold its part in `space`.
+  Vector3 normal = Vector3::UnitY();  ///< Of a contact.
+};
+
 /// With u the velocity of a's point against b's (angular: the angular velocity of a against b's) and J the
 /// impulse (angular: angular impulse) on a, -J on b:
 ///   contact  u_n >= target, J_n >= 0, complementary; |J_t| <= friction J_n against u_t  (Coulomb)
@@ -38,12 +46,9 @@ struct Block {
   Real limit = 0;                 ///< Of rub, in this part of the step [N s, N m s].
   Real push = 0, drag = 0;        ///< Of soft, the same [N s, N m s; kg, kg m^2].
   Vector3 impulse = Vector3::Zero();
-  Real acted = 0;                          ///< For how long, of what forces gave [s].
-  Vector3 before = Vector3::Zero();        ///< u before the forces of the step, of a direct solution.
-  Vector3 bias = Vector3::Zero();          ///< A direct solution meets the laws with u + bias.
-  Vector3 left = Vector3::Zero();          ///< u after the last direct solution; of hold its part in `space`.
-  Vector3 left_normal = Vector3::UnitY();  ///< The normal then.
-  bool known = false;                      ///< Was in that solution.
+  Vector3 before = Vector3::Zero();  ///< u before the forces of the step, of a direct solution.
+  Vector3 bias = Vector3::Zero();    ///< A direct solution meets the laws with u + bias.
+  Past past;
 
   Real gap = 0;               ///< When the contact was found [m]; of a stop now [m, rad].
   Real gap_now = 0;           ///< When targets were set.

@@ -246,8 +246,8 @@ void BodyContacts::touch(const std::vector<Motion>& motions, int a, int b, int p
       if (same) {
         const Real along = block.normal.dot(same->impulse);
         block.impulse = same->impulse + (std::max(along, Real(0)) - along) * block.normal;
-        block.acted = same->acted, block.left = same->left, block.left_normal = same->left_normal,
-        block.known = same->known && nearest <= one_place * radius_[index(a)];
+        block.past = same->past;
+        block.past.known &= nearest <= one_place * radius_[index(a)];
       }
       matched.push_back(same);
       blocks.push_back(block);
@@ -341,8 +341,7 @@ void BodyContacts::add_joints(const std::vector<Motion>& motions, const std::vec
   const auto add = [&](Block block) {
     if (next < old.size()) {
       const Block& same = old[next++];
-      block.impulse = same.impulse, block.acted = same.acted;
-      block.left = same.left, block.known = same.known;
+      block.impulse = same.impulse, block.past = same.past;
     }
     blocks.push_back(block);
   };

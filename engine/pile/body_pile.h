@@ -54,7 +54,7 @@ class BodyPile : public Stepper {
   void move_crowds(Time now, Time span);
   bool rests(const Group&) const;
   bool comes_to_rest(const Group&, Real span) const;
-  void lay_to_rest(Real span);
+  bool lay_to_rest(Real span);
   bool is_slow(const Group&, Real speed) const;
   bool is_on_edge(int body, const Group&) const;
   void meet(const Group&, Time now, Real h);

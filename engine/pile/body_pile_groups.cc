@@ -88,8 +88,9 @@ bool BodyPile::is_on_edge(int body, const Group& group) const {
 }
 
 // Groups that hardly move before and after a step: what is left of their velocities is the solver's.  A body
-// that turns back hardly moves only once.
-void BodyPile::lay_to_rest(Real span) {
+// that turns back hardly moves only once.  Whether one was laid to rest.
+bool BodyPile::lay_to_rest(Real span) {
+  bool any = false;
   constexpr Real part = std::max(Real(1) / (1 << 20), 16 * epsilon);
   const Real speed = part * gravity_ * span;
   const auto look = [&](const Group& group) {
@@ -98,6 +99,7 @@ void BodyPile::lay_to_rest(Real span) {
     const bool rest = now && std::all_of(group.bodies.begin(), group.bodies.end(), was_still) &&
                       std::none_of(group.bodies.begin(), group.bodies.end(),
                                    [&](int body) { return is_on_edge(body, group); });
+    any |= rest;
     for (const int body : group.bodies) {
       still_[index(body)] = now;
       if (!rest || model_.bodies[index(body)].locked) continue;
@@ -109,6 +111,7 @@ void BodyPile::lay_to_rest(Real span) {
   for (std::size_t k = 0; k < groups_.size(); ++k)
     if (!displaced_[k]) look(groups_[k]);
   for (const Group& group : crowds_) look(group);
+  return any;
 }
 
 void BodyPile::move_crowds(Time now, Time span) {
@@ -118,7 +121,7 @@ void BodyPile::move_crowds(Time now, Time span) {
   crowd_.advance(crowds_, step, model_.bodies, movers_, blocks_, motions_, keep_ ? &pressed_ : nullptr);
   for (std::size_t g = 0; g < crowds_.size(); ++g) {
     meet(crowds_[g], now, h);
-    for (const int k : crowds_[g].blocks) blocks_[index(k)].acted = h;
+    for (const int k : crowds_[g].blocks) blocks_[index(k)].past.acted = h;
     swept_to_ = std::max(swept_to_, static_cast<double>(crowd_.residual(g)));
   }
   swept_times_ = std::max(swept_times_, 2 * parts);

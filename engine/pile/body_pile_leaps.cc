@@ -21,8 +21,8 @@ Vector3 across(const Vector3& u, const Vector3& n) { return u - n.dot(u) * n; }
 
 // What arms, normals and spaces that turned have changed of the u that the last solution left; it turns with the normal.
 Vector3 bend(const Block& block) {
-  if (block.kind == Block::Kind::hold) return block.space * block.before - block.left;
-  return block.before - Quaternion::FromTwoVectors(block.left_normal, block.normal) * block.left;
+  if (block.kind == Block::Kind::hold) return block.space * block.before - block.past.u;
+  return block.before - Quaternion::FromTwoVectors(block.past.normal, block.normal) * block.past.u;
 }
 
 }  // namespace
@@ -56,10 +56,12 @@ void BodyPile::leap(Time now, Time span, bool last) {
   set_kinematics();
   find_contacts(then, next);
   // Of gaps as they are now: along the normals of the part before they are off by what bends the path.
-  if (divided_)
-    correct_groups(then), lay_to_rest(h), divide(static_cast<Real>(next));
-  else
+  if (divided_) {
+    correct_groups(then);
+    if (lay_to_rest(h)) divide(static_cast<Real>(next));
+  } else {
     correct_positions(then, leaps());
+  }
   leave_resting();
   if (leaps())
     kick_ahead(then, h / 2, static_cast<Real>(next));
@@ -127,9 +129,9 @@ void BodyPile::kick_ahead(Time now, Real lag, Real h) {
   }
   for (Block& block : blocks_) {
     const Vector3 u = relative_velocity(block, movers_);
-    block.left = block.kind == Block::Kind::hold ? Vector3(block.space * u) : u;
-    block.left_normal = block.normal;
-    block.known = true;
+    block.past.u = block.kind == Block::Kind::hold ? Vector3(block.space * u) : u;
+    block.past.normal = block.normal;
+    block.past.known = true;
   }
   if (keep_) note_share(true);
   is_ahead_ = true;
@@ -169,7 +171,8 @@ void BodyPile::set_bias(Real lag, Real h) {
     if (body == fixed_world) return Vector3(Vector3::Zero());
     const Mover& mover = movers_[index(body)];
     const Momenta& r = rates_[index(body)];
-    return Vector3(mover.inverse_mass * r.momentum + (mover.inverse_inertia * r.angular_momentum).cross(arm));
+    const Vector3 force = r.momentum - model_.bodies[index(body)].mass_rate * mover.v;  // m v' = K' - m' v
+    return Vector3(mover.inverse_mass * force + (mover.inverse_inertia * r.angular_momentum).cross(arm));
   };
   forget_parts_of_pairs();
   for (Block& block : blocks_) {
@@ -177,7 +180,7 @@ void BodyPile::set_bias(Real lag, Real h) {
     const bool touches = block.kind == Block::Kind::contact;
     const Vector3 bent = bend(block);
     const Real most = (speed(block.a, block.arm) + speed(block.b, block.to_arm)) / 4;
-    if (block.known && (!touches || bent.norm() <= most)) block.bias = h / (4 * lag) * bent;
+    if (block.past.known && (!touches || bent.norm() <= most)) block.bias = h / (4 * lag) * bent;
     if (!touches) continue;
     const Vector3 &n = block.normal, slip = across(block.before, n);
     const Vector3 change = h / 2 * across(rate(block.a, block.arm) - rate(block.b, block.to_arm), n);
@@ -193,10 +196,10 @@ void BodyPile::forget_parts_of_pairs() {
       return b.kind == Block::Kind::contact && b.a == blocks_[from].a && b.b == blocks_[from].b &&
              b.plane == blocks_[from].plane;
     };
-    bool known = blocks_[from].known;
+    bool known = blocks_[from].past.known;
     for (to = from + 1; to < blocks_.size() && same_pair(blocks_[from]) && same_pair(blocks_[to]); ++to)
-      known &= blocks_[to].known;
-    for (std::size_t k = from; k < to; ++k) blocks_[k].known = known;
+      known &= blocks_[to].past.known;
+    for (std::size_t k = from; k < to; ++k) blocks_[k].past.known = known;
   }
 }
 
@@ -256,7 +259,7 @@ void BodyPile::land(Time now, Real lag) {
   if (keep_)
     for (const Block& block : blocks_)
       if (!takes(block)) note_pressed(block, resting_impulse(block, lag), contacts_);
-  for (Block& block : blocks_) block.known = false;
+  for (Block& block : blocks_) block.past.known = false;
   taken_.clear();
   is_ahead_ = false;
 }

@@ -78,6 +78,16 @@ Model slides_and_spins() {
   return model;
 }
 
+// What burns away takes of the momentum of a body and not of its speed, so that slip turns.
+Model slides_and_burns() {
+  Model model = slides_and_spins();
+  model.bodies[0].mass_rate = Real(-0.8);
+  Drag drag;
+  drag.linear = Real(0.3), drag.angular = Real(0.02), drag.momentum = Real(0.1);
+  model.forces.drags.push_back(drag);
+  return model;
+}
+
 // A ladder between floor and wall slips on both.
 Model ladder() {
   Model model = pile_model(0, Real(0.1));
@@ -112,6 +122,7 @@ TEST(Leaps, AreOfSecondOrderWhereNothingStrikes) {
   };
   for (const Row& row :
        {Row{"a box slides and spins", slides_and_spins, Real(0.4)},
+        Row{"a box slides and burns", slides_and_burns, Real(0.4)},
         Row{"a box slides on a spring", slides_on_a_spring, Real(0.4)},
         Row{"a ball rolls on a ball", [] { return ball_on_a_ball(2, 0); }, Real(0.4)},
         Row{"a ball slips on a ball", [] { return ball_on_a_ball(Real(0.05), Real(0.8)); }, Real(0.25)},

@@ -1,0 +1,92 @@
+// What each contact, limit and force in a joint asks of a part of a step, and the impacts that follow.
+#include "engine/pile/body_pile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cylon::engine::pile {
+
+// Newton's restitution against the velocity before the forces of the step; a gap may close, but not more.
+//   u_n >= -e u_n(before) where the points meet within h;  else u_n >= -max(gap, 0)/h
+// Forces act for `span`.
+void BodyPile::set_targets(Time now, Real span, Real h) {
+  const Real slow = 4 * gravity_ * h + std::numeric_limits<Real>::min();
+  for (Block& block : blocks_) {
+    if (!takes(block)) continue;
+    block.before = relative_velocity(block, movers_);
+    block.bias.setZero();
+    if (block.past.acted > 0) block.impulse *= span / block.past.acted;  // where the solution begins
+    block.limit = block.friction * span, block.past.acted = span;
+    if (block.kind == Block::Kind::soft) soften(block, now, span, h);
+    if (!block.is_one_sided()) continue;
+    const bool stop = block.kind == Block::Kind::stop;
+    const Real gap = stop ? gap_of_stop(block) : block.gap + block.normal.dot(offset(block, motions_));
+    const Real u = block.normal.dot(block.before);
+    const bool meets = u < 0 && gap + u * h <= 0;
+    block.target = meets && block.restitution > 0 ? -block.restitution * u : -std::max(gap, Real(0)) / h;
+    // Where arms and normals have turned since the last solution, what lasts seems to approach.
+    const Real approach = block.past.known ? std::min(-u, -block.past.normal.dot(block.past.u)) : -u;
+    block.impact = meets && (stop ? block.impulse.isZero(0) : approach > slow);
+    block.gap_now = gap;
+  }
+}
+
+void BodyPile::note_impacts(Time now) {
+  std::fill(struck_.begin(), struck_.end(), char{0});
+  for (std::size_t k = 0; k < blocks_.size(); ++k) {
+    const Block& block = blocks_[k];
+    if (!takes(block) || !block.impact) continue;
+    if (block.kind == Block::Kind::stop) {
+      if (block.restitution > 0) note_bounce(block, now);
+    } else {
+      note_impact(k, now, block.gap_now, -speed_now(block));
+    }
+  }
+}
+
+// The law at the end of the part, with q there = q + h u; s the span for which it acts:
+//   J = s Q = s (F - k (q - r) + c r') - s (c + c_2 |u_before| + h k) u,  r the target at the end
+void BodyPile::soften(Block& block, Time now, Real span, Real h) const {
+  const CoordinateLaw& law = model_.forces.coordinate_laws[index(block.law)];
+  const Real q = row_of(law.at, model_.bodies, motions_.data()).offset;
+  const Target::Now target = law.target.at(now + static_cast<Time>(h));
+  block.push = span * (law.force - law.stiffness * (q - target.value) + law.damping * target.rate);
+  const Real speed = std::abs(block.normal.dot(block.before));
+  block.drag = span * (law.damping + law.quadratic_damping * speed + h * law.stiffness);
+}
+
+// How far the coordinate is from the limit now, negative beyond [m, rad].
+Real BodyPile::gap_of_stop(const Block& block) const {
+  const CoordinateLaw& law = model_.forces.coordinate_laws[index(block.law)];
+  const Real q = row_of(law.at, model_.bodies, motions_.data()).offset;
+  return block.upper ? law.upper - q : q - law.lower;
+}
+
+// Before overlaps are removed: where the step has left coordinates.
+void BodyPile::look_at_stops() {
+  for (Block& block : blocks_)
+    if (block.kind == Block::Kind::stop) block.gap = gap_of_stop(block);
+}
+
+// Points of one pair are one impact.
+void BodyPile::note_impact(std::size_t k, Time now, Real gap, Real approach) {
+  const Block& block = blocks_[k];
+  if (!impacts_.empty() && k > 0 && blocks_[k - 1].impact && blocks_[k - 1].a == block.a &&
+      blocks_[k - 1].b == block.b && blocks_[k - 1].plane == block.plane)
+    return;
+  if (block.restitution > 0) note_bounce(block, now);
+  impacts_.push_back({now + static_cast<Time>(gap > 0 ? gap / approach : 0), block.a, block.b, block.plane,
+                      approach, block.restitution * approach});
+}
+
+void BodyPile::note_bounce(const Block& block, Time now) {
+  for (const int body : {block.a, block.b}) {
+    if (body == fixed_world || model_.bodies[index(body)].locked) continue;
+    if (struck_[index(body)] && model_.impacts == Impacts::sequential)
+      log_.note(DiagnosticKind::solved_at_once, now);
+    struck_[index(body)] = 1;
+  }
+}
+
+}  // namespace cylon::engine::pile
