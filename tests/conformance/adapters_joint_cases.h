@@ -57,12 +57,13 @@ inline constexpr Taken taken[] = {
      4},  // neither screws nor joints of two freedoms, and stops without restitution
     {"bullet-multibody-float", 3, 12, 4},
     {"simbody", 6},
-    {"dart", 5},  // nothing that turns about an axis and slides along it
-    {"jolt"},
-    {"rapier"},
-    {"mujoco3"},
-    {"crashcat"},
-    {"physx"},  // nothing that acts along a joint
+    {"dart", 5, 12, 4},  // nothing that turns about an axis and slides along it, and no stop that gives back
+    {"mujoco3", 5, 12, 4},  // as mujoco
+    // no screws, no single stop of an angle, no stop that gives back; Rapier also no universal joint
+    {"jolt", 5, 8, 4},
+    {"rapier", 4, 8, 4},
+    {"crashcat", 5, 8, 4},
+    {"physx", 5, 8, 4},
 };
 
 inline const Taken& taken_by(const Subject& subject) {

@@ -97,12 +97,23 @@ double on_the_grid(double e, double v, double a, double s, double dt) {
 
 // MuJoCo's stops and dry frictions are soft: of the reference acceleration  -b v - k r  with b = 2/(dmax T), k = 1/(dmax T)^2,
 // T = 0.02 s (solref) and dmax = 0.95 they get the part d >= 0.9 (solimp; doc/computation.rst, "Solver parameters").
-bool is_soft(const Subject& subject) { return std::string_view(subject.id) == "mujoco"; }
+bool is_soft(const Subject& subject) { return std::string_view(subject.id).starts_with("mujoco"); }
 constexpr double soft_time = 0.95 * 0.02;
 // At rest under an acceleration a:  d k r = (1 - d) a.
 double soft_stop(double a) { return (1 - 0.9) / 0.9 * soft_time * soft_time * a; }
 // Slower than v = a/b a friction of a m is a damper of rate b: a way of v/b is left.
 double soft_friction(double a) { return a * soft_time * soft_time / 4; }
+
+// MuJoCo 3 ends where the cost  m (a' - a)^2/2  improves by less than 1e-8 of that of 1 m/s^2 (tolerance).
+double slow_friction(const Subject& subject, double dt) {
+  return std::string_view(subject.id) == "mujoco3" ? std::sqrt(2 * 1e-8) * dt : 0;
+}
+// crashcat leaves out turns of less than 1e-6 rad in a step (tests/reference/simulators/js), the last of those that end in
+// rest:  w^2/(2 a) + w dt/2  of  w = 1e-6/dt.
+double left_out(const Subject& subject, JointType type, double a, double dt) {
+  const bool leaves_out = std::string_view(subject.id) == "crashcat" && type == JointType::hinge;
+  return leaves_out ? std::pow(1e-6 / dt, 2) / (2 * a) + 1e-6 / 2 : 0;
+}
 
 // Two roundings of a coordinate below 1 in each step, and those of a joint.
 double rounding(const Subject& subject) {
@@ -172,8 +183,10 @@ TEST_P(JointStops, DryFrictionBrakesAndHolds) {
       if (!locates_events(subject()))
         allowed += v * dt / 2;  // Euler's v dt/2; the last step is exact or shorter
       if (is_soft(subject())) allowed += soft_friction(a);
+      allowed += left_out(subject(), type, a, dt);
       expect_within(what, std::abs(along(scene, end) - v * v / (2 * a)), allowed);
-      expect_within("stands, " + what, std::abs(rate(scene, end)), rounding(subject()));
+      expect_within("stands, " + what, std::abs(rate(scene, end)),
+                    rounding(subject()) + slow_friction(subject(), dt));
     }
   EXPECT_EQ(run, taken_by(subject()).frictions) << "refused:" << refused;
   if (run == 0) GTEST_SKIP() << "takes none of these scenes:" << refused;

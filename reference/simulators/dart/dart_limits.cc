@@ -1,5 +1,6 @@
 #include "reference/simulators/dart/dart_limits.h"
 
+#include "harness/core/joint_coordinates.h"
 #include "harness/core/surfaces.h"
 #include "reference/applied/forces.h"
 #include "reference/applied/forest.h"
@@ -29,6 +30,25 @@ const core::Body& body(const Scene& scene, int i) { return scene.bodies[static_c
 bool hangs(JointType type) { return type != JointType::cylindrical && type != JointType::distance; }
 bool closes(JointType type) { return type == JointType::ball || type == JointType::fixed; }
 
+// Stops and dry friction.
+Reason against_coordinates(const Scene& scene, const core::Joint& joint) {
+  const bool holds = joint.type == JointType::hinge || joint.type == JointType::slider;
+  Reason reason;
+  core::for_each_coordinate(joint, [&](const core::JointCoordinate& c) {
+    const std::string& name = body(scene, joint.body).name;
+    if (core::has_limit(c) && c.restitution > 0)
+      reason = fmt::format(
+          "The joint of '{}' bounces from its limits, and DART has no restitution there "
+          "(constraint/JointConstraint.cpp).",
+          name);
+    else if (!holds && (core::has_limit(c) || c.friction != 0))
+      reason = fmt::format(
+          "This adapter maps limits and friction of hinges and sliders; the {} joint of '{}' has some.",
+          core::kind_of(joint.type).name, name);
+  });
+  return reason;
+}
+
 Reason against_joints(const Scene& scene) {
   const auto moves = [&](int i) { return i != core::world && !body(scene, i).locked; };
   for (const core::Joint& joint : scene.joints) {
@@ -43,6 +63,7 @@ Reason against_joints(const Scene& scene) {
           "DART has no joint that turns about an axis and slides along it (dart/dynamics/), such as the {} "
           "one of '{}'.",
           kind.name, body(scene, joint.body).name);
+    if (Reason reason = against_coordinates(scene, joint)) return reason;
   }
   for (const std::size_t j : applied::forest_of(scene).loops) {
     const core::Joint& joint = scene.joints[j];

@@ -1,5 +1,6 @@
 #include "reference/simulators/dart/dart_scene.h"
 
+#include "harness/core/joint_coordinates.h"
 #include "reference/applied/parts.h"
 
 #include <cmath>
@@ -44,6 +45,18 @@ Hang hang_of(const core::Joint& joint) {
   }
 }
 
+// What holds the one coordinate of a joint; DART counts the child against its parent.
+void hold(dart_border::Body& body, const core::Joint& joint, bool reversed) {
+  core::for_each_coordinate(joint, [&](core::JointCoordinate c) {
+    if (!core::has_limit(c) && c.friction == 0)
+      return;  // dart_limit lets these through on joints of one freedom
+    if (reversed) core::reverse(c);
+    if (c.lower) body.lower = *c.lower - c.start;
+    if (c.upper) body.upper = *c.upper - c.start;
+    body.friction = c.friction;
+  });
+}
+
 }  // namespace
 
 std::vector<dart_border::Body> dart_bodies(const Scene& scene, const applied::Forest& forest) {
@@ -81,6 +94,7 @@ std::vector<dart_border::Body> dart_bodies(const Scene& scene, const applied::Fo
       if (joint.type == JointType::universal && joint.body != static_cast<int>(i))
         std::swap(one.axis, one.axis_2);
       one.turn_rate = to_dart(spin), one.slide_rate = to_dart(slide);
+      hold(one, joint, joint.body != static_cast<int>(i));
     }
     all.push_back(one);
   }

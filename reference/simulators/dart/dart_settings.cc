@@ -158,7 +158,7 @@ core::Engine dart_engine(std::string version) {
                       dart_options().offered()};
   engine.knows = {"collision_filters",  "frame_acceleration", "body_gravity",     "slider_joints",
                   "cylindrical_joints", "planar_joints",      "universal_joints", "screw_joints",
-                  "joint_forces",       "joint_targets"};
+                  "joint_forces",       "joint_targets",      "joint_limits",     "joint_friction"};
   return engine;
 }
 

@@ -12,6 +12,8 @@ export const about = {
   name: 'cannon-es', title: 'cannon-es', build: 'JavaScript', precision: 'double',
   schemes: [{name: 'semi-implicit-euler', order: 1, conserves: 'linear momentum', adaptive: false}],
   gyroscopic: () => 'none',
+  joints: {types: ['ball', 'hinge', 'fixed', 'distance'], limits: [],
+    friction: [], bounces: false},
   of_the_scene: [
     {name: 'mass, inertia', value: 'of the scene', engine_default: 'that of the bounding box, a sphere\'s too',
       reason: 'the scene has its own: mass, inertia and their inverses, in principal axes'},

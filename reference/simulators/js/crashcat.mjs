@@ -2,6 +2,7 @@
 // Knows nothing of the protocol.
 import fs from 'node:fs';
 import * as C from 'crashcat';
+import {frame_of, held_coordinate} from './joints.mjs';
 import {Unsupported} from './scene.mjs';
 import {across, scale} from './vectors.mjs';
 
@@ -12,6 +13,8 @@ export const about = {
   name: 'crashcat', title: 'crashcat', build: 'JavaScript', precision: 'double',
   schemes: [{name: 'semi-implicit-euler', order: 1, conserves: 'linear momentum', adaptive: false}],
   gyroscopic: (values) => (values.gyro === 'on' ? 'explicit, of constant |L|' : 'none'),
+  joints: {types: ['ball', 'hinge', 'fixed', 'distance', 'slider', 'cylindrical', 'planar', 'universal'], limits: ['hinge', 'slider'],
+    friction: ['hinge', 'slider'], bounces: false},
   of_the_scene: [
     {name: 'mass, inertia', value: 'of the scene', engine_default: 'of the shape and its density',
       reason: 'the scene has its own: invMass, invInertiaDiagonal and inertiaRotation of MotionProperties'},
@@ -133,6 +136,12 @@ function shape_of(body, convex_radius) {
 
 // ---- A world ------------------------------------------------------------------------------------------
 
+// crashcat counts the second body against the first, which is `body`.
+function hold(joint, friction) {
+  const held = held_coordinate(joint, true);
+  return held && {...(held.limited ? {limitsMin: held.lower, limitsMax: held.upper} : {}), [`maxFriction${friction}`]: held.friction};
+}
+
 class World {
   constructor(scene, dt, values) {
     this.scene = scene, this.dt = dt, this.values = values;
@@ -217,15 +226,36 @@ class World {
       hinge: () => {
         const normal = across(axis);
         C.hingeConstraint.create(this.world,
-          {...ends, pointA: at, pointB: at, hingeAxisA: axis, hingeAxisB: axis, normalAxisA: normal, normalAxisB: normal});
+          {...ends, pointA: at, pointB: at, hingeAxisA: axis, hingeAxisB: axis, normalAxisA: normal, normalAxisB: normal, ...hold(joint, 'Torque')});
       },
+      slider: () => {
+        const normal = across(axis);
+        C.sliderConstraint.create(this.world,
+          {...ends, pointA: at, pointB: at, sliderAxisA: axis, sliderAxisB: axis, normalAxisA: normal, normalAxisB: normal, ...hold(joint, 'Force')});
+      },
+      cylindrical: () => this.add_six(joint, ends, at, ['TRANSLATION_X', 'ROTATION_X']),
+      planar: () => this.add_six(joint, ends, at, ['TRANSLATION_Y', 'TRANSLATION_Z', 'ROTATION_X']),
+      universal: () => this.add_six(joint, ends, at, ['ROTATION_X', 'ROTATION_Z']),
       fixed: () => C.fixedConstraint.create(this.world,
         {...ends, point1: at, point2: at, axisX1: [1, 0, 0], axisX2: [1, 0, 0], axisY1: [0, 1, 0], axisY2: [0, 1, 0]}),
       distance: () => C.distanceConstraint.create(this.world, {
         ...ends, pointA: [...first.position], pointB: second ? [...second.position] : at, minDistance: joint.length, maxDistance: joint.length}),
     }[joint.type];
-    if (!make) throw new Unsupported(`crashcat's adapter knows no joint '${joint.type}'.`);
     make();
+  }
+
+  // crashcat turns by  R(z, swing) R(x, twist): of a universal joint z is its axis, and x its second.  The first body's axes
+  // carry the directions, as those of `to` do in a scene.
+  add_six(joint, {bodyIdA, bodyIdB, space}, at, free) {
+    const [first, second, third] = frame_of(joint), [x, y] = joint.type === 'universal' ? [second, third] : [first, second];
+    const limitMin = Array(6).fill(1), limitMax = Array(6).fill(-1);  // held where the least exceeds the largest
+    for (const name of free) {
+      const axis = C.SixDOFAxis[name];
+      limitMin[axis] = -Number.MAX_VALUE, limitMax[axis] = Number.MAX_VALUE;
+    }
+    C.sixDOFConstraint.create(this.world, {
+      bodyIdA: bodyIdB, bodyIdB: bodyIdA, space, position1: at, position2: at, axisX1: x, axisX2: x, axisY1: y, axisY2: y,
+      limitMin, limitMax, swingType: C.SwingType.PYRAMID});
   }
 
   /** The world as a body, for joints. */

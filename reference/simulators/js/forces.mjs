@@ -1,7 +1,8 @@
 // The laws of a scene that the engines do not have, as forces of the state before a step, constant during it: springs,
-// drag, thrust, changing mass, drive, attraction, water's constant lift, a gravity of a body's own, and a frame of
-// reference that turns or accelerates.
+// drag, thrust, changing mass, drive, attraction, water's constant lift, a gravity of a body's own, a frame of reference
+// that turns or accelerates, and the smooth law along the coordinates of joints.
 // The same laws as reference/applied/forces.cc, for engines in JavaScript.  Knows no engine.
+import {JointForces, acting, has_force} from './joints.mjs';
 import {add, cross, dot, is_zero, norm, rotate, scale, sub, world_times} from './vectors.mjs';
 
 const none = [0, 0, 0];
@@ -17,7 +18,7 @@ export function unmapped(scene) {
 }
 
 export const settings = (scene_has_any) => scene_has_any ? [{
-  name: 'springs, drag, thrust, drive, attraction, water, own gravity, forces of a frame that turns or accelerates', value: 'force of the state before the step',
+  name: 'springs, drag, thrust, drive, attraction, water, own gravity, forces along joints, forces of a frame that turns or accelerates', value: 'force of the state before the step',
   reason: 'the engine has no such forces; they are constant during the step, and so is a mass that changes',
 }] : [];
 
@@ -37,7 +38,8 @@ export const laws = ['spring', 'drag', 'thrust', 'drive', 'attraction', 'water']
 
 /** Whether anything of a scene is to be applied before a step. */
 export const has_forces = (scene) =>
-  pushes(scene.frame) || laws.some((law) => scene[law].length > 0) || scene.bodies.some((body) => body.gravity);
+  pushes(scene.frame) || laws.some((law) => scene[law].length > 0) || scene.bodies.some((body) => body.gravity) ||
+  scene.joints.some((joint) => acting(joint).some(({acts}) => has_force(acts)));
 
 export class Forces {
   /** Of a scene as scene.mjs prepares it. */
@@ -51,6 +53,7 @@ export class Forces {
     this.changing = scene.bodies.map((b) => b.index).filter((i) => this.rates[i] !== 0);
     /** Whether anything is to be applied before a step. */
     this.any = has_forces(scene);
+    this.along_joints = new JointForces(scene);
   }
 
   /** A wrench per body, of the states {position, orientation, velocity, spin} at t [s].  Throws where a mass is used up. */
@@ -66,6 +69,7 @@ export class Forces {
     for (const {index, gravity} of this.scene.bodies)
       if (gravity) wrenches[index].push(none, scale(this.masses[index], gravity));
     if (pushes(this.scene.frame)) this.frame(this.scene.frame, t, states, wrenches);
+    this.along_joints.add(t, states, wrenches);
     return wrenches;
   }
 

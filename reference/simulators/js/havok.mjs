@@ -4,9 +4,10 @@ import fs from 'node:fs';
 import {createRequire} from 'node:module';
 import init from '@babylonjs/havok';
 import {has_forces} from './forces.mjs';
+import {frame_of, held_coordinate} from './joints.mjs';
 import {Unsupported} from './scene.mjs';
 import {LeftOut, torque_option} from './torque.mjs';
-import {across, conjugate, dot, norm, rotate, scale, sub, turn_of_y} from './vectors.mjs';
+import {conjugate, dot, norm, rotate, scale, sub, turn_of_y} from './vectors.mjs';
 
 const unlimited = 1e18;  // its square is finite in single precision
 const plane_reach = 100, plane_depth = 10;  // [m]
@@ -15,6 +16,9 @@ export const about = {
   name: 'havok', title: 'Havok', build: 'WebAssembly', native: 'native code of C++', precision: 'float',
   schemes: [{name: 'semi-implicit-euler', order: 1, conserves: 'linear momentum', adaptive: false}],
   gyroscopic: () => 'none',
+  joints: {types: ['ball', 'hinge', 'fixed', 'slider', 'cylindrical', 'planar', 'universal'], limits: ['hinge', 'slider'],
+    friction: ['hinge', 'slider'], bounces: false,
+    why: {distance: 'Havok takes no limit of LINEAR_DISTANCE (HP_Constraint_SetAxisMode answers RESULT_INVALIDARGS): it keeps no distance.'}},
   of_the_scene: [
     {name: 'mass, inertia', value: 'of the scene, rounded', engine_default: 'of the shape and its density',
       reason: 'the scene has its own; the inertia is told for a mass of 1, in principal axes'},
@@ -290,16 +294,16 @@ class World {
   add_joint(joint) {
     const {H, scene} = this, first = scene.bodies[joint.body], second = scene.bodies[joint.to];
     if (first.locked && (!second || second.locked)) return;
-    const A = H.ConstraintAxis, linear = [A.LINEAR_X, A.LINEAR_Y, A.LINEAR_Z];
+    const A = H.ConstraintAxis, linear = [A.LINEAR_X, A.LINEAR_Y, A.LINEAR_Z], angular = [A.ANGULAR_X, A.ANGULAR_Y, A.ANGULAR_Z];
     const locked = {
-      ball: linear, hinge: [...linear, A.ANGULAR_Y, A.ANGULAR_Z], fixed: [...linear, A.ANGULAR_X, A.ANGULAR_Y, A.ANGULAR_Z],
+      ball: linear, hinge: [...linear, A.ANGULAR_Y, A.ANGULAR_Z], fixed: [...linear, ...angular],
+      slider: [A.LINEAR_Y, A.LINEAR_Z, ...angular], cylindrical: [A.LINEAR_Y, A.LINEAR_Z, A.ANGULAR_Y, A.ANGULAR_Z],
+      planar: [A.LINEAR_X, A.ANGULAR_Y, A.ANGULAR_Z], universal: [...linear, A.ANGULAR_Z],
     }[joint.type];
-    if (joint.type === 'distance')
-      throw new Unsupported('Havok takes no limit of LINEAR_DISTANCE (HP_Constraint_SetAxisMode answers RESULT_INVALIDARGS): it keeps no distance.');
-    if (!locked) throw new Unsupported(`Havok's adapter knows no joint '${joint.type}'.`);
     const made = got(H, H.HP_Constraint_Create());
     this.constraints.push(made);
-    const x = joint.axis ? scale(1 / norm(joint.axis), joint.axis) : [1, 0, 0], y = joint.axis ? across(x) : [0, 1, 0];
+    const axes = joint.axis ? frame_of(joint) : [[1, 0, 0], [0, 1, 0]];
+    const [x, y] = joint.type === 'universal' ? [axes[1], axes[0]] : axes;  // Havok turns about x last (measured)
     const turned = (body, v) => rotate(conjugate(body.orientation), v);
     const anchor = (body, place) => [turned(body, sub(place, body.position)), turned(body, x), turned(body, y)];
     got(H, H.HP_Constraint_SetParentBody(made, second ? this.bodies[joint.to] : this.ground()));
@@ -307,7 +311,21 @@ class World {
     got(H, H.HP_Constraint_SetAnchorInParent(made, ...anchor(second ?? origin, joint.point)));
     got(H, H.HP_Constraint_SetAnchorInChild(made, ...anchor(first, joint.point)));
     for (const axis of locked) got(H, H.HP_Constraint_SetAxisMode(made, axis, H.ConstraintAxisLimitMode.LOCKED));
+    this.hold(made, joint);
     got(H, H.HP_Constraint_SetEnabled(made, 1));
+  }
+
+  // Havok counts the child, which is `body`, against its parent.
+  hold(made, joint) {
+    const held = held_coordinate(joint), {H} = this;
+    if (!held) return;
+    const axis = joint.type === 'slider' ? H.ConstraintAxis.LINEAR_X : H.ConstraintAxis.ANGULAR_X;
+    if (held.limited) {
+      got(H, H.HP_Constraint_SetAxisMode(made, axis, H.ConstraintAxisLimitMode.LIMITED));
+      if (held.lower > -Infinity) got(H, H.HP_Constraint_SetAxisMinLimit(made, axis, held.lower));
+      if (held.upper < Infinity) got(H, H.HP_Constraint_SetAxisMaxLimit(made, axis, held.upper));
+    }
+    if (held.friction !== 0) got(H, H.HP_Constraint_SetAxisFriction(made, axis, held.friction));
   }
 
   /** The world as a body, for joints. */

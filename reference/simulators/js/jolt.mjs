@@ -3,6 +3,7 @@
 import fs from 'node:fs';
 import {createRequire} from 'node:module';
 import init from 'jolt-physics/wasm';
+import {frame_of, held_coordinate} from './joints.mjs';
 import {Unsupported} from './scene.mjs';
 import {across, rotate, scale} from './vectors.mjs';
 
@@ -12,6 +13,8 @@ export const about = {
   name: 'jolt', title: 'Jolt', build: 'WebAssembly', native: 'native code of C++', precision: 'float',
   schemes: [{name: 'semi-implicit-euler', order: 1, conserves: 'linear momentum', adaptive: false}],
   gyroscopic: (values) => (values.gyro === 'on' ? 'explicit, of constant |L|' : 'none'),
+  joints: {types: ['ball', 'hinge', 'fixed', 'distance', 'slider', 'cylindrical', 'planar', 'universal'], limits: ['hinge', 'slider'],
+    friction: ['hinge', 'slider'], bounces: false},
   of_the_scene: [
     {name: 'mass, inertia', value: 'of the scene', engine_default: 'of the shape and its density', reason: 'the scene has its own'},
     {name: 'mCombinedRestitution, mCombinedFriction', value: 'of the pair', engine_default: 'the larger; the geometric mean',
@@ -72,6 +75,8 @@ export const about = {
 };
 
 const is_on = (word) => word === 'on';
+const largest = 3.4e38;        // of single precision
+const in_six = ['cylindrical', 'planar', 'universal'];
 const plane_extent = 1e4;      // [m]
 const most_manifolds = 20000;  // 472 bytes each of the temporary allocator's 10 MB; 30000 abort the module
 const layer = {still: 0, moving: 1, ghost: 2};
@@ -351,12 +356,45 @@ class World {
       distance: () => Object.assign(new J.DistanceConstraintSettings(), {
         mPoint1: new J.RVec3(...first.position), mPoint2: second ? new J.RVec3(...second.position) : place,
         mMinDistance: joint.length, mMaxDistance: joint.length}),
+      slider: () => {
+        const along = new J.Vec3(...axis), normal = new J.Vec3(...across(axis));
+        return Object.assign(new J.SliderConstraintSettings(), {
+          mAutoDetectPoint: false, mPoint1: place, mPoint2: place, mSliderAxis1: along, mSliderAxis2: along, mNormalAxis1: normal, mNormalAxis2: normal});
+      },
+      cylindrical: () => this.six_axes(joint, place, ['TranslationX', 'RotationX']),
+      planar: () => this.six_axes(joint, place, ['TranslationY', 'TranslationZ', 'RotationX']),
+      universal: () => this.six_axes(joint, place, ['RotationX', 'RotationZ']),
     }[joint.type];
-    if (!set) throw new Unsupported(`Jolt's adapter knows no joint '${joint.type}'.`);
     const settings = set();
     settings.mSpace = J.EConstraintSpace_WorldSpace;
+    this.hold(settings, joint);
     const other = second ? this.bodies[joint.to] : J.JoltInterface.prototype.sGetFixedToWorldBody();
-    this.system.AddConstraint(settings.Create(this.bodies[joint.body], other));
+    // Of six axes those of the first body carry the directions, as those of `to` do in a scene.
+    const ends = in_six.includes(joint.type) ? [other, this.bodies[joint.body]] : [this.bodies[joint.body], other];
+    this.system.AddConstraint(settings.Create(...ends));
+  }
+
+  // Jolt turns by  R(z, swing) R(x, twist): of a universal joint z is its axis, and x its second.
+  six_axes(joint, place, free) {
+    const J = this.J, [first, second, third] = frame_of(joint).map((v) => new J.Vec3(...v));
+    const [x, y] = joint.type === 'universal' ? [second, third] : [first, second];
+    const settings = Object.assign(new J.SixDOFConstraintSettings(),
+      {mPosition1: place, mPosition2: place, mAxisX1: x, mAxisX2: x, mAxisY1: y, mAxisY2: y, mSwingType: J.ESwingType_Pyramid});
+    for (const axis of ['TranslationX', 'TranslationY', 'TranslationZ', 'RotationX', 'RotationY', 'RotationZ']) {
+      const which = J[`SixDOFConstraintSettings_EAxis_${axis}`];
+      if (free.includes(axis)) settings.MakeFreeAxis(which);
+      else settings.MakeFixedAxis(which);
+    }
+    return settings;
+  }
+
+  // Jolt counts the second body against the first, which is `body`.
+  hold(settings, joint) {
+    const held = held_coordinate(joint, true);
+    if (!held) return;
+    const slides = joint.type === 'slider', most = slides ? largest : Math.PI;
+    if (held.limited) settings.mLimitsMin = Math.max(held.lower, -most), settings.mLimitsMax = Math.min(held.upper, most);
+    settings[slides ? 'mMaxFrictionForce' : 'mMaxFrictionTorque'] = held.friction;
   }
 
   step() { this.jolt.Step(this.dt, 1); }

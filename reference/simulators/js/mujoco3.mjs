@@ -2,10 +2,11 @@
 // Knows nothing of the protocol.
 import load_mujoco from '@mujoco/mujoco';
 import {forest_of} from './forest.mjs';
-import {pushes} from './forces.mjs';
-import {body_name, model_of, require_expressible} from './mujoco3_model.mjs';
+import {has_forces} from './forces.mjs';
+import {acting, has_limit} from './joints.mjs';
+import {axes_of, body_name, model_of, require_expressible} from './mujoco3_model.mjs';
 import {Unsupported} from './scene.mjs';
-import {add, conjugate, cross, dot, is_zero, norm, rotate, sub} from './vectors.mjs';
+import {add, conjugate, cross, is_zero, rotate, sub} from './vectors.mjs';
 
 const largest = Number.MAX_VALUE;
 
@@ -17,6 +18,8 @@ export const about = {
     {name: 'rk4', order: 4, conserves: 'nothing in particular; order 2 where a body turns freely, 1 with contacts or applied forces', adaptive: false},
   ],
   gyroscopic: (values) => (values.integrator === 'implicit' ? 'implicit' : 'explicit'),
+  joints: {types: ['ball', 'hinge', 'fixed', 'distance', 'slider', 'cylindrical', 'planar', 'universal'], limits: ['hinge', 'slider', 'cylindrical', 'planar', 'universal'],
+    friction: ['hinge', 'slider', 'cylindrical', 'planar', 'universal'], bounces: false, counts_turns: true},
   of_the_scene: [
     {name: 'inertial', value: 'of the scene', engine_default: 'of the geoms and their density', reason: 'diaginertia in principal axes'},
     {name: 'friction, condim', value: 'of the pair', engine_default: "the larger of both geoms', 3",
@@ -109,26 +112,25 @@ class World {
     return {id, free: forest.nodes[body.index].joint < 0, position: has ? m.jnt_qposadr[joint] : -1, speed: has ? m.jnt_dofadr[joint] : -1};
   }
 
-  // A free body: v of the world, w of the body; a ball joint: w against the parent, in body axes; a hinge: along its axis.
+  // A free body: v of the world, w of the body; a ball joint: w against the parent, in body axes; others: their rates.
   set_speed(body, node) {
     const {speed, free} = this.places[body.index];
     if (!(speed >= 0)) return;
     const back = conjugate(body.orientation), joint = this.scene.joints[node.joint];
     const spin = node.parent >= 0 ? sub(body.spin, this.scene.bodies[node.parent].spin) : body.spin;
     if (free) this.data.qvel.set([...body.velocity, ...rotate(back, spin)], speed);
-    else if (joint.type === 'hinge') this.data.qvel[speed] = dot(joint.axis, spin) / norm(joint.axis);
-    else this.data.qvel.set(rotate(back, spin), speed);
+    else if (joint.type === 'ball') this.data.qvel.set(rotate(back, spin), speed);
+    else this.data.qvel.set(axes_of(this.scene, joint, joint.body !== body.index).map(({rate}) => rate), speed);
   }
 
   order_of_rk4(forest) {
     const {scene} = this;
-    const forced = pushes(scene.frame) || scene.bodies.some((b) => b.gravity) ||
-      ['spring', 'drag', 'thrust', 'drive', 'attraction', 'water'].some((law) => scene[law].length > 0);
-    if (forced || scene.contacts.rows.length > 0 || forest.loops.length > 0) return 1;
+    const stops = scene.joints.some((joint) => acting(joint).some(({acts}) => has_limit(acts) || acts.friction !== 0));
+    if (has_forces(scene) || stops || scene.contacts.rows.length > 0 || forest.loops.length > 0) return 1;
     const turning = scene.bodies.some((body, i) => {
       const node = forest.nodes[i];
       if (body.locked) return false;
-      return node.joint < 0 ? !is_zero(body.spin) || node.children.length > 0 : scene.joints[node.joint].type === 'ball';
+      return node.joint < 0 ? !is_zero(body.spin) || node.children.length > 0 : ['ball', 'universal'].includes(scene.joints[node.joint].type);
     });
     return turning ? 2 : 4;
   }

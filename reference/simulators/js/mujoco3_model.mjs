@@ -1,9 +1,11 @@
 // A prepared scene as MuJoCo's XML, with all digits; what MuJoCo cannot hold is refused.  After
 // reference/simulators/mujoco/mujoco_model.cc, for MuJoCo 3.
+import {coordinates, frame_of, has_limit, range, rates_at_start, reversed} from './joints.mjs';
 import {Unsupported} from './scene.mjs';
 import {add, conjugate, multiply, norm, rotate, scale, sub} from './vectors.mjs';
 
 const least = 1e-15, deepest = 90, most_pairs = 20000;  // least mass and moment: mjMINVAL
+const far = 1e10;  // mjMAXVAL
 const t = (x) => (Array.isArray(x) ? x.join(' ') : String(x));  // the shortest text that is the same number
 const z_to_y = [Math.sqrt(0.5), -Math.sqrt(0.5), 0, 0];  // MuJoCo's axis of revolution is z
 
@@ -26,8 +28,35 @@ const plane_name = (i) => `p${i}`;
 const parts_of = ({shape}) => (shape.type === 'compound' ? shape.parts.filter((part) => part.shape)
   : [{shape, position: [0, 0, 0], orientation: [1, 0, 0, 0]}]);
 
+/** A joint of a tree that is no ball and not fixed as MuJoCo's own, in the order in which they act: {slides, axis: of the
+ *  world at t = 0, acts, rate: of the child, which is `body` or, `other_way`, `to`, against its parent}. */
+export function axes_of(scene, joint, other_way) {
+  // Displacements first: their axes are those of the parent.  Of a universal joint R(axis, first) R(axis_2, second), and
+  // from the other side R(axis_2, -second) R(axis, -first).
+  const [x, y, z] = frame_of(joint), rates = rates_at_start(scene, joint);
+  const list = coordinates(joint).map(({slides, second, acts}, k) => ({
+    slides, acts: acts && other_way ? reversed(acts) : acts, rate: other_way ? -rates[k] : rates[k],
+    axis: joint.type === 'planar' && slides ? (second ? z : y) : second ? y : x}));
+  return joint.type === 'universal' && other_way ? list.reverse() : list;
+}
+
+// What closes a loop; all kinds hang a body from another.
+const closes = ['ball', 'hinge', 'distance', 'fixed'];
+
+function require_joints(scene, forest) {
+  scene.joints.forEach((joint, j) => {
+    const acts = coordinates(joint).some(({acts}) => acts && (has_limit(acts) || acts.friction !== 0));
+    const of = `The ${joint.type} joint of '${scene.bodies[joint.body].name}'`;
+    if (forest.loops.includes(j) && (!closes.includes(joint.type) || acts))
+      throw new Unsupported(`${of} closes a loop, which this adapter closes by balls, hinges and fixed joints without limits and friction.`);
+    if (joint.type === 'planar' && coordinates(joint).some(({acts}) => acts) && forest.nodes[joint.body].joint !== j)
+      throw new Unsupported(`${of} hangs '${scene.bodies[joint.to].name}' from it, and MuJoCo's displacements are of the parent's axes.`);
+  });
+}
+
 /** Throws Unsupported where MuJoCo cannot hold the scene. */
 export function require_expressible(scene, forest) {
+  require_joints(scene, forest);
   for (const body of scene.bodies) {
     if (body.locked) continue;
     const {moments} = body.principal, largest = Math.max(...moments);
@@ -93,7 +122,7 @@ class Writer {
       moments[k] = Math.min(moments[k], moments[(k + 1) % 3] + moments[(k + 2) % 3]);  // A + B >= C, in MuJoCo's rounding
       this.out.push(`<inertial pos="0 0 0" mass="${t(body.mass)}" quat="${t(axes)}" diaginertia="${t(moments)}"/>`);
       if (node.joint < 0) this.out.push('<freejoint/>');
-      else this.joint(body, this.scene.joints[node.joint]);
+      else this.joint(body, this.scene.joints[node.joint], this.scene.joints[node.joint].body !== i);
     }, node.children);
   }
 
@@ -110,10 +139,19 @@ class Writer {
   }
 
   // A fixed joint is none: the body is part of its parent.
-  joint(body, joint) {
+  joint(body, joint, other_way) {
     const back = conjugate(body.orientation), point = joint.point && t(rotate(back, sub(joint.point, body.position)));
     if (joint.type === 'ball') this.out.push(`<joint type="ball" pos="${point}"/>`);
-    if (joint.type === 'hinge') this.out.push(`<joint type="hinge" pos="${point}" axis="${t(rotate(back, joint.axis))}"/>`);
+    if (joint.type === 'ball' || joint.type === 'fixed') return;
+    for (const {slides, axis, acts} of axes_of(this.scene, joint, other_way))
+      this.out.push(`<joint type="${slides ? 'slide' : 'hinge'}" pos="${point}" axis="${t(rotate(back, axis))}"${acts ? this.stops(acts) : ''}/>`);
+  }
+
+  // A limit on one side alone has the other beyond every coordinate that MuJoCo takes.
+  stops(acts) {
+    const {lower, upper} = range(acts);
+    return (has_limit(acts) ? ` limited="true" range="${t([Math.max(lower, -far), Math.min(upper, far)])}"` : '') +
+      (acts.friction !== 0 ? ` frictionloss="${t(acts.friction)}"` : '');
   }
 
   geom(i, {shape, position, orientation}, k) {

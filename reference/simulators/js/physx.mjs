@@ -4,8 +4,8 @@ import fs from 'node:fs';
 import {createRequire} from 'node:module';
 import init from 'physx-js-webidl';
 import {Shapes, as_it_is, x_to_y} from './physx_shapes.mjs';
-import {Unsupported} from './scene.mjs';
-import {across, conjugate, cross, multiply, norm, quaternion_of, rotate, scale, sub, turn_of_y} from './vectors.mjs';
+import {frame_of, held_coordinate} from './joints.mjs';
+import {conjugate, multiply, quaternion_of, rotate, scale, sub, turn_of_y} from './vectors.mjs';
 
 const unlimited = 1e18;      // its square is finite in single precision
 const gyroscopic = 1 << 10;  // PxRigidBodyFlag::eENABLE_GYROSCOPIC_FORCES, which the bindings' enum leaves out
@@ -15,6 +15,8 @@ export const about = {
   name: 'physx', title: 'PhysX', build: 'WebAssembly', native: 'native code of C++', precision: 'float',
   schemes: [{name: 'semi-implicit-euler', order: 1, conserves: 'linear momentum', adaptive: false}],
   gyroscopic: (values) => (values.gyro === 'on' ? 'explicit, of constant |L|' : 'none'),
+  joints: {types: ['ball', 'hinge', 'fixed', 'distance', 'slider', 'cylindrical', 'planar', 'universal'], limits: ['hinge', 'slider'],
+    friction: ['hinge', 'slider'], bounces: false},
   of_the_scene: [
     {name: 'mass, inertia', value: 'of the scene', engine_default: 'of the shape and its density', reason: 'the scene has its own'},
     {name: 'restitution, friction', value: 'of the pair', engine_default: 'averages',
@@ -28,6 +30,7 @@ export const about = {
     'A bounce acts from a gap on that the step would close (at most twice contact-offset), in the step before the touch.',
     'Friction is that of patches: points of contact nearer than 2.5 cm share one (frictionCorrelationDistance), and act from a gap of 4 cm on (frictionOffsetThreshold).',
     'One number of restitution and one of friction for each shape, combined by a rule: not every table of pairs can be had.',
+    'The restitution of a limit of a joint does nothing: a body stops there (PxJointLimitParameters, measured with 0.2 to 1).',
     'A step runs on one thread; the build has no others.',
     'This adapter tells no forces of contacts and joints.',
   ],
@@ -133,6 +136,16 @@ class Engine {
     P.destroy(desc);
     return values;
   }
+}
+
+const largest = 1e30;  // of a limit that is none
+const rigid = 1e10;    // of a drive's damper [N s/m]
+const x_axis = (engine) => engine.value('PxD6AxisEnum', 'eX');
+// The twist is about the x of the second end, which is `to`, and a swing about an axis of the first.
+const free_axes = {slider: ['eX'], cylindrical: ['eX', 'eTWIST'], planar: ['eY', 'eZ', 'eTWIST'], universal: ['eTWIST', 'eSWING2']};
+function axes_of(joint) {
+  const [x, y, z] = frame_of(joint);
+  return joint.type === 'universal' ? [x, scale(-1, z), y] : [x, y, z];  // the swing is about its second axis
 }
 
 // ---- A world ------------------------------------------------------------------------------------------
@@ -243,17 +256,38 @@ class World {
   add_joint(joint) {
     const {engine, scene} = this, {top, physics} = engine, first = scene.bodies[joint.body], second = scene.bodies[joint.to];
     if (first.locked && (!second || second.locked)) return;
-    const make = {ball: 'SphericalJointCreate', hinge: 'RevoluteJointCreate', fixed: 'FixedJointCreate', distance: 'DistanceJointCreate'}[joint.type];
-    if (!make) throw new Unsupported(`PhysX's adapter knows no joint '${joint.type}'.`);
-    const x = joint.axis && scale(1 / norm(joint.axis), joint.axis), y = x && across(x);
-    const frame = x ? quaternion_of(x, y, cross(x, y)) : [1, 0, 0, 0];  // a hinge turns about x
+    const make = {ball: 'SphericalJointCreate', hinge: 'RevoluteJointCreate', fixed: 'FixedJointCreate', distance: 'DistanceJointCreate'}[joint.type] ?? 'D6JointCreate';
+    const frame = joint.axis ? quaternion_of(...axes_of(joint)) : [1, 0, 0, 0];  // a hinge turns about x
     const ends = joint.type === 'distance' ? [first.position, second?.position ?? joint.point] : [joint.point, joint.point];
     const local = ({position, orientation}, place, use) =>
       engine.pose(rotate(conjugate(orientation), sub(place, position)), multiply(conjugate(orientation), frame), use);
     const made = local(first, ends[0], (a) => local(second ?? as_it_is, ends[1],
       (b) => top[make](physics, this.bodies[joint.body], a, second ? this.bodies[joint.to] : null, b)));
     if (joint.type === 'distance') this.keep_distance(made, joint.length);
+    if (joint.type in free_axes)
+      for (const axis of free_axes[joint.type]) made.setMotion(engine.value('PxD6AxisEnum', axis), engine.value('PxD6MotionEnum', 'eFREE'));
+    this.hold(made, joint);
     this.joints.push(made);
+  }
+
+  // PhysX counts the second body against the first, which is `body`.  Friction is a drive at rest with a largest force.
+  hold(made, joint) {
+    const held = held_coordinate(joint, true), {engine, P} = this, slides = joint.type === 'slider';
+    if (!held) return;
+    if (held.limited)
+      engine.with('PxSpring', [0, 0], (hard) => engine.with(slides ? 'PxJointLinearLimitPair' : 'PxJointAngularLimitPair',
+        [Math.max(held.lower, -largest), Math.min(held.upper, largest), ...(slides ? [hard] : [])], (limits) => {
+          if (slides) made.setMotion(x_axis(engine), engine.value('PxD6MotionEnum', 'eLIMITED')), made.setLinearLimit(x_axis(engine), limits);
+          else made.setLimit(limits), made.setRevoluteJointFlag(engine.value('PxRevoluteJointFlagEnum', 'eLIMIT_ENABLED'), true);
+        }));
+    if (held.friction === 0) return;
+    made.setConstraintFlag(engine.value('PxConstraintFlagEnum', 'eDRIVE_LIMITS_ARE_FORCES'), true);
+    if (slides) engine.with('PxD6JointDrive', [0, rigid, held.friction, false], (drive) => made.setDrive(engine.value('PxD6DriveEnum', 'eX'), drive));
+    else {
+      made.setDriveVelocity(0);
+      made.setDriveForceLimit(held.friction);
+      made.setRevoluteJointFlag(engine.value('PxRevoluteJointFlagEnum', 'eDRIVE_ENABLED'), true);
+    }
   }
 
   keep_distance(made, length) {

@@ -1,13 +1,17 @@
 // The adapter of Rapier (@dimforge/rapier3d-compat, WebAssembly, single precision): a prepared scene in, motion out.
 // Knows nothing of the protocol.
 import RAPIER from '@dimforge/rapier3d-compat';
+import {frame_of, held_coordinate} from './joints.mjs';
 import {Unsupported} from './scene.mjs';
-import {conjugate, rotate, scale, sub, turn_of_y} from './vectors.mjs';
+import {conjugate, multiply, quaternion_of, rotate, scale, sub, turn_of_y} from './vectors.mjs';
 
 export const about = {
   name: 'rapier', title: 'Rapier', build: 'WebAssembly', native: 'native code of Rust', precision: 'float',
   schemes: [{name: 'semi-implicit-euler', order: 1, conserves: 'linear momentum', adaptive: false}],
   gyroscopic: () => 'explicit, of constant |L|, in each substep',
+  joints: {types: ['ball', 'hinge', 'fixed', 'slider', 'cylindrical', 'planar'], limits: ['hinge', 'slider'],
+    friction: ['hinge', 'slider'], bounces: false,
+    why: {distance: 'Rapier has no rigid joint of type distance.'}},
   of_the_scene: [
     {name: 'mass, inertia', value: 'of the scene', engine_default: 'of the colliders and their density',
       reason: 'setAdditionalMassProperties in principal axes; colliders have density 0'},
@@ -111,6 +115,9 @@ function* colliders_of(body) {
 
 // ---- A world ------------------------------------------------------------------------------------------
 
+const M = RAPIER.JointAxesMask;
+const largest = 3.4e38;  // of single precision
+const rigid = 1e10;      // of a motor's damper [N s/m, N m s/rad]
 const hooks_on = RAPIER.ActiveHooks.FILTER_CONTACT_PAIRS;
 
 class World {
@@ -189,9 +196,29 @@ class World {
       ball: () => RAPIER.JointData.spherical(local(a), local(b)),
       hinge: () => RAPIER.JointData.revoluteWithAxes(local(a), local(b), axis(a), axis(b)),
       fixed: () => RAPIER.JointData.fixed(local(a), frame(a), local(b), frame(b)),
+      slider: () => RAPIER.JointData.prismatic(local(a), local(b), {x: 1, y: 0, z: 0}),
+      cylindrical: () => RAPIER.JointData.generic(local(a), local(b), {x: 1, y: 0, z: 0}, M.LinY | M.LinZ | M.AngY | M.AngZ),
+      planar: () => RAPIER.JointData.generic(local(a), local(b), {x: 1, y: 0, z: 0}, M.LinX | M.AngY | M.AngZ),
     }[joint.type];
-    if (!data) throw new Unsupported(`Rapier has no rigid joint of type ${joint.type}.`);
-    this.world.createImpulseJoint(data(), this.bodies[joint.body], second ? this.bodies[joint.to] : this.ground, true);
+    const made = this.world.createImpulseJoint(data(), this.bodies[joint.body], second ? this.bodies[joint.to] : this.ground, true);
+    // An angle with limits is 0 where the scene starts: the frames are the same then.
+    if (['slider', 'cylindrical', 'planar'].includes(joint.type) || held_coordinate(joint)) {
+      const axes = quaternion_of(...frame_of(joint));
+      made.setFrameX1(wxyz(multiply(conjugate(a.orientation), axes)));
+      made.setFrameX2(wxyz(multiply(conjugate(b.orientation), axes)));
+    }
+    this.hold(made, joint);
+  }
+
+  // Rapier counts the second body against the first, which is `body`.  Friction is a motor at rest with a largest force.
+  hold(made, joint) {
+    const held = held_coordinate(joint, true);
+    if (!held) return;
+    if (held.limited) made.setLimits(Math.max(held.lower, -largest), Math.min(held.upper, largest));
+    if (held.friction === 0) return;
+    made.configureMotorModel(RAPIER.MotorModel.ForceBased);
+    made.configureMotorVelocity(0, rigid);
+    made.setMotorMaxForce(held.friction);
   }
 
   step() {

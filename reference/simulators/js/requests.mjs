@@ -56,6 +56,11 @@ const part = object({
   shape: (x, place) => { if (x !== null) shape(x, place); }, mass: number, position: vector, orientation: numbers(4)});
 type_of.set('compound', object({type: text, parts: list(part)}));
 
+const coordinate = object({
+  which: (x, place) => must(x === 'first' || x === 'second', place, 'first or second'), start: number, 'lower?': number,
+  'upper?': number, restitution: number, force: number, stiffness: number, damping: number, quadratic_damping: number,
+  friction: number, target: number, target_amplitude: number, target_frequency: number, target_phase: number,
+  'target_times?': list(number), 'target_values?': list(number)});
 const filters = {'collision_groups?': list(text), 'collision_mask?': list(text)};
 const scene = object({
   body: list(object({
@@ -70,7 +75,9 @@ const scene = object({
   drive: list(object({body: text, force: vector, frequency: number})),
   attraction: list(object({body: text, to: text, strength: number})),
   water: list(object({level: number, wave: number, speed: number, buoyancy: number, drag: number, mode: text})),
-  joint: list(object({type: text, 'name?': text, body: text, 'to?': text, 'point?': vector, 'axis?': vector, 'length?': number})),
+  joint: list(object({
+    type: text, 'name?': text, body: text, 'to?': text, 'point?': vector, 'axis?': vector, 'axis_2?': vector, 'length?': number,
+    'pitch?': number, 'displacement?': list(coordinate), 'angle?': list(coordinate)})),
   plane: list(object({name: text, normal: vector, offset: number, ...filters})),
   material: list(object({between: list(text), restitution: number, friction: number})),
   gravity: vector, 'frame?': object({velocity: vector, angular_velocity: vector, 'acceleration?': vector, 'frequency?': number, 'angular_acceleration?': vector}), impacts: text,

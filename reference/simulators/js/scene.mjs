@@ -1,10 +1,10 @@
 // A scene of the protocol, prepared for the engines: bodies by index, principal axes, who may touch whom and with what
 // material.  Knows no engine.
 import {laws, unmapped} from './forces.mjs';
+import {Unsupported} from './unsupported.mjs';
 import {principal_axes} from './vectors.mjs';
 
-/** An honest reason for which the engine cannot express the scene: an answer `unsupported`. */
-export class Unsupported extends Error {}
+export {Unsupported};
 
 const known = ['body', 'joint', 'plane', 'material', 'gravity', 'frame', 'impacts', ...laws];
 

@@ -2,6 +2,8 @@
 // An option is {name, setting, engine_default, meaning} with `values` (words), or `least` and `most` (a number; `above`:
 // least itself is not allowed; `whole`).  A path is {name, summary, set}: the options that it sets, by name.
 
+import {known_joints} from './joints.mjs';
+
 /** The user's mistake: an answer `error`. */
 export class Impossible extends Error {}
 
@@ -93,6 +95,6 @@ export function hello(about, version) {
     ({name: o.name, values: o.values ?? [], engine_default: text(o.engine_default), meaning: o.meaning}));
   return {
     ok: 'hello', protocol: 1, engine: about.name, version: `${version} (${runs_as(about)})`, precision: about.precision, events: false,
-    knows: ['collision_filters', 'body_gravity', 'frame_acceleration'], paths, default_path_rule: `always '${about.paths[0].name}'`, schemes: about.schemes, options,
+    knows: ['collision_filters', 'body_gravity', 'frame_acceleration', ...known_joints(about.joints)], paths, default_path_rule: `always '${about.paths[0].name}'`, schemes: about.schemes, options,
   };
 }

@@ -2,13 +2,14 @@
 // A worker (docs/protocol.md) for engines in JavaScript and WebAssembly.  The build links cylon-worker-NAME to this file;
 // NAME says which module of this folder is the engine.
 //
-// A module exports `about`, what it says of itself (settings.mjs), and `start()`, which gives {version, load(scene, dt,
+// A module exports `about`, what it says of itself (settings.mjs; its joints: joints.mjs), and `start()`, which gives {version, load(scene, dt,
 // values), defaults()}.  A world that load() gives has step(), push(i, force, torque), read(i): {position,
 // orientation, velocity, spin}, free() and, where there is something to say of a run, remarks(); where a mass may change,
 // set_mass(i, mass).
 import fs from 'node:fs';
 import path from 'node:path';
 import {Forces, settings as force_settings} from './forces.mjs';
+import {require_joints} from './joints.mjs';
 import {Malformed, read_request} from './requests.mjs';
 import {Unsupported, prepare, require_masses} from './scene.mjs';
 import {Impossible, choose, hello, settings_of} from './settings.mjs';
@@ -123,6 +124,7 @@ class Session {
     if (request.tolerance) throw new Malformed(`tolerance: ${this.about.title} has no integrator that takes one`);
     const scene = prepare(request.scene);
     require_masses(this.about, scene);
+    require_joints(this.about, scene);
     this.scene = scene, this.dt = request.dt;
     chosen.values.integrator = chosen.integrator;
     this.world = this.engine.load(scene, request.dt, chosen.values);

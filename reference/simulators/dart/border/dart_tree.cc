@@ -20,6 +20,7 @@
 #include <dart/dynamics/WeldJoint.hpp>
 #include <dart/math/Constants.hpp>
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -65,6 +66,16 @@ std::pair<Joint*, BodyNode*> make(const dynamics::SkeletonPtr& skeleton, BodyNod
   typename Joint::Properties named = joint;
   named.mName = "joint of " + body.mName;
   return skeleton->createJointAndBodyNodePair<Joint>(parent, named, body);
+}
+
+// Of a joint of one freedom.
+void hold(dynamics::Joint& joint, const Body& body) {
+  if (std::isfinite(body.lower) || std::isfinite(body.upper)) {
+    joint.setPositionLowerLimit(0, body.lower);
+    joint.setPositionUpperLimit(0, body.upper);
+    joint.setLimitEnforcement(true);
+  }
+  joint.setCoulombFriction(0, body.friction);
 }
 
 // DART gives each of equal names another one, with a message.
@@ -121,6 +132,7 @@ void World::Parts::hang(const std::vector<Body>& bodies, std::size_t i) {
       hinge.mAxis = to_dart(body.axis);
       const auto [joint, node] = make<dynamics::RevoluteJoint>(skeleton, parent, hinge, properties(body, i));
       joint->setVelocity(0, to_dart(body.axis).dot(to_dart(body.turn_rate)));
+      hold(*joint, body);
       nodes[i] = node;
       break;
     }
@@ -130,6 +142,7 @@ void World::Parts::hang(const std::vector<Body>& bodies, std::size_t i) {
       const auto [joint, node] =
           make<dynamics::PrismaticJoint>(skeleton, parent, slider, properties(body, i));
       joint->setVelocity(0, to_dart(body.axis).dot(to_dart(body.slide_rate)));
+      hold(*joint, body);
       nodes[i] = node;
       break;
     }

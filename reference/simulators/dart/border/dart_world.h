@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -37,8 +38,11 @@ struct Body {
   Vector
       axis{};  ///< Of a hinge, slider or screw, world, at the start; the normal of a plane; of a universal joint the
                ///< one that is fixed in the parent.
-  Vector axis_2{};      ///< The other axis of a universal joint, or the first displacement in a plane.
-  double pitch = 0;     ///< Of a screw [m/rad].
+  Vector axis_2{};   ///< The other axis of a universal joint, or the first displacement in a plane.
+  double pitch = 0;  ///< Of a screw [m/rad].
+  /// Of a hinge or a slider, since the start: its stops [rad, m].
+  double lower = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
+  double friction = 0;  ///< Dry, of a hinge or a slider [N m, N].
   Vector turn_rate{};   ///< Against the parent, world axes, at the start.
   Vector slide_rate{};  ///< The same of the velocity of the body at the point.
 };
