@@ -58,7 +58,9 @@ export const known_joints = ({types, limits, friction}) => [
 
 /** Throws Unsupported where a joint has what the engine has not. */
 export function require_joints({title, joints: can}, scene) {
+  const moves = (i) => i >= 0 && !scene.bodies[i].locked;
   for (const joint of scene.joints) {
+    if (!moves(joint.body) && !moves(joint.to)) continue;  // it holds nothing
     if (!can.types.includes(joint.type)) throw new Unsupported(can.why?.[joint.type] ?? `This adapter gives ${title} no ${joint.type} joint.`);
     const of = `The ${joint.type} joint of '${scene.bodies[joint.body].name}'`;
     for (const {slides, acts} of acting(joint)) {
