@@ -217,6 +217,7 @@ class World {
     const [restitution, friction] = [this.restitution, this.friction].map((quantity) => quantity.of(thing));
     const rules = {min: H.MaterialCombine.MINIMUM, max: H.MaterialCombine.MAXIMUM};
     for (const shape of shapes) {
+      if (shapes.length > 1 && shape === shapes[0]) continue;  // a container has neither: RESULT_NOTIMPLEMENTED
       got(H, H.HP_Shape_SetMaterial(shape, [friction, friction, restitution, rules[this.friction.rule], rules[this.restitution.rule]]));
       got(H, H.HP_Shape_SetFilterInfo(shape, this.filters.of_thing.get(thing)));
     }

@@ -80,7 +80,7 @@ export function require_expressible(scene, forest) {
 class Writer {
   constructor(scene, forest, values, dt) { Object.assign(this, {scene, forest, values, dt, out: [], assets: []}); }
 
-  moves(i) { return i >= 0 && !this.scene.bodies[i].locked; }
+  moves(i) { return i >= 0 && i < this.scene.bodies.length && !this.scene.bodies[i].locked; }
 
   xml() {
     const v = this.values, {scene} = this, {contacts} = scene;
@@ -161,6 +161,13 @@ class Writer {
     this.out.push(`<geom name="${name}" ${what} pos="${t(position)}" quat="${t(round ? multiply(orientation, z_to_y) : orientation)}"/>`);
   }
 
+  /** Whether a thing is part of the world: a plane, what is locked, and what is fixed to such. */
+  stands(id) {
+    if (id < 0 || !this.moves(id)) return true;
+    const {joint, parent} = this.forest.nodes[id];
+    return joint >= 0 && this.scene.joints[joint].type === 'fixed' && this.stands(parent);
+  }
+
   geoms_of(thing) {
     const {bodies} = this.scene;
     return thing.id < bodies.length ? parts_of(bodies[thing.id]).map((_, k) => `g${thing.id}_${k}`) : [plane_name(thing.id - bodies.length)];
@@ -173,6 +180,7 @@ class Writer {
         if (this.moves(a) || this.moves(b)) lines.push(`<exclude body1="${body_name(a)}" body2="${body_name(b)}"/>`);
     } else {
       for (const [a, b] of contacts.meeting()) {
+        if (this.stands(a.id) && this.stands(b.id)) continue;  // MuJoCo ends at a contact of two that nothing can move
         const {friction} = contacts.material(a.id, b.id);
         for (const mine of this.geoms_of(a)) for (const other of this.geoms_of(b))
           lines.push(`<pair geom1="${mine}" geom2="${other}" condim="${friction > 0 ? 3 : 1}" friction="${t([friction, friction, 0, 0, 0])}"/>`);

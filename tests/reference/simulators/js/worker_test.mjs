@@ -137,6 +137,16 @@ for (const engine of engines) {
     for (const state of tame) assert.ok(state.every(Number.isFinite), `${state}`);
   });
 
+  test(`${engine} takes a compound that touches a plane`, () => {
+    const part = (x) => ({shape: {type: 'sphere', radius: 0.2}, mass: 0.5, position: [x, 0, 0], orientation: [1, 0, 0, 0]});
+    const dumbbell = body({position: [0, 0.2, 0], velocity: [0, 0, 0], angular_velocity: [0, 0, 0], collide: true,
+      shape: {type: 'compound', parts: [part(0.4), part(-0.4)]}});
+    const floor = {plane: [{name: 'floor', normal: [0, 1, 0], offset: 0}], material: [{between: ['*', '*'], restitution: 0, friction: 0}]};
+    const {messages} = talk(engine, [load({scene: scene({body: [dumbbell], gravity: [0, -9.81, 0], ...floor})}), run({steps: 100, every: 100})]);
+    assert.equal(messages.at(-1).ok, 'run', JSON.stringify(messages.at(-1)));
+    assert.ok(Math.abs(messages.at(-2).frame.states[0][1] - 0.2) < 0.02);  // it rests, by contacts that may be soft
+  });
+
   test(`${engine} ends where its input ends, also within a line`, () => {
     assert.equal(talk(engine, []).code, 0);
     assert.equal(talk(engine, [load()]).code, 0);
@@ -188,4 +198,13 @@ test('a package that is missing is no failure', () => {
   const {messages} = talk('jolt', [{cmd: 'hello', protocol: 1}], bare);
   fs.rmSync(bare, {recursive: true});
   assert.match(messages[0].unsupported, /`\.\/run engines` installs it/);
+});
+
+test('mujoco3 leaves out contacts between what is fixed to the world', {skip: !engines.includes('mujoco3')}, () => {
+  const ball = (name, members) => body({name, collide: true, shape: {type: 'sphere', radius: 0.3}, velocity: [0, 0, 0], angular_velocity: [0, 0, 0], ...members});
+  const bodies = [ball('a', {position: [0, 0, 0], locked: true}), ball('b', {position: [0.1, 0, 0]}),
+    ball('c', {position: [9, 0, 0], collision_groups: ['own'], collision_mask: ['own']})];  // so that pairs are listed
+  const joint = [{type: 'fixed', body: 'b', point: [0, 0, 0]}], material = [{between: ['*', '*'], restitution: 0, friction: 0.3}];
+  const {messages} = talk('mujoco3', [load({scene: scene({body: bodies, joint, material})}), run()]);
+  assert.equal(messages.at(-1).ok, 'run', JSON.stringify(messages.at(-1)));
 });
