@@ -7,6 +7,6 @@ set_source_files_properties(${mutated} PROPERTIES GENERATED TRUE)
 file(GLOB adapter CONFIGURE_DEPENDS reference/simulators/in_house/*.cc)
 add_executable(cylon-worker-mutated EXCLUDE_FROM_ALL reference/workers/main.cc ${adapter} ${mutated})
 target_include_directories(cylon-worker-mutated PRIVATE ${PROJECT_BINARY_DIR}/mutated ${PROJECT_SOURCE_DIR})
-target_link_libraries(cylon-worker-mutated PRIVATE core process Eigen3::Eigen TBB::tbb)
+target_link_libraries(cylon-worker-mutated PRIVATE worker core process Eigen3::Eigen TBB::tbb)
 target_compile_options(cylon-worker-mutated PRIVATE -w $<$<CONFIG:Release>:${optimised_numbers}>)  # changes may be unsound
-declare(cylon-worker-mutated KIND program PLACES reference/workers/ PRIVATE process core engine)
+declare(cylon-worker-mutated KIND program PLACES reference/workers/ PRIVATE worker process core engine)
