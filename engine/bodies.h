@@ -133,6 +133,6 @@ class Bodies {
   Time now_ = 0;  // of the last forces [s]
 };
 
-static_assert(System<Bodies>);
+static_assert(Split<Bodies>);
 
 }  // namespace cylon::engine

@@ -13,6 +13,7 @@
 #include "engine/reduce.h"
 #include "engine/smooth_stepper.h"
 #include "engine/tops.h"
+#include "engine/trees.h"
 #include "engine/verified_stepper.h"
 
 #include <algorithm>
@@ -56,6 +57,19 @@ std::unique_ptr<Stepper> make_points(const Model& model, const Plan& plan, const
 
 std::unique_ptr<Stepper> make_bodies(const Model& model, const Plan& plan, const Options& options,
                                      std::int64_t first) {
+  if (Trees::applies(model, options, *plan.integrator)) {
+    Model whole = model;
+    whole.reduce_joints = false;
+    Reduced ordered = reduce(std::move(whole));
+    const Trees system(std::move(ordered.model));
+    const auto read = [readings = std::move(ordered.readings)](const Trees& trees, const Real* y,
+                                                               std::vector<Motion>& motions) {
+      std::vector<Motion> all;
+      trees.read(y, all);
+      engine::read(trees.model().bodies, readings, all.data(), motions);
+    };
+    return smooth(system, system.initial(), plan, options, read, model, first);
+  }
   Reduced reduced = reduce(model);
   const bool asks_more = !(required(reduced.model, options) - supports(Method::top)).empty();
   if (!asks_more && Top::applies(reduced.model)) {

@@ -49,6 +49,12 @@ constexpr std::array methods = {
                                            Feature::pinned_body, Feature::one_axis_body, Feature::guided_body,
                                            Feature::turning_frame, Feature::chosen_integrator,
                                            Feature::account, Feature::late_start, Feature::every_stage}},
+    MethodRow{Method::trees,
+              all_forces | user_forces |
+                  Features{Feature::locked_body, Feature::spin, Feature::own_gravity, Feature::joint_together,
+                           Feature::joint_along_axis, Feature::joint_in_plane, Feature::joint_about_axis,
+                           Feature::joint_about_two_axes, Feature::joint_never, Feature::quadratic_damping,
+                           Feature::chosen_integrator, Feature::late_start}},
     MethodRow{Method::ballistic,
               {Feature::locked_body, Feature::spin, Feature::contact, Feature::friction, Feature::sphere,
                Feature::collision_filters, Feature::own_gravity, Feature::late_start}},

@@ -19,6 +19,7 @@ enum class Method {
   points,        ///< Points, by an integrator
   top,           ///< Top, by an integrator
   bodies,        ///< Bodies, by an integrator
+  trees,         ///< Trees, by an integrator
   ballistic,     ///< Ballistic
   events,        ///< EventStepper
   sphere_steps,  ///< pile::SpherePile

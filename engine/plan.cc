@@ -7,6 +7,7 @@
 #include "engine/methods.h"
 #include "engine/normal_modes.h"
 #include "engine/reduce.h"
+#include "engine/trees.h"
 #include "engine/turning.h"
 
 #include <algorithm>
@@ -226,6 +227,12 @@ class Stages {
     if (model_.joints.empty()) {
       add("reduced coordinates", false, "", "no joints");
       add("joint constraints", false, "", "no joints");
+      return;
+    }
+    if (plan_.integrator && plan_.path == Path::bodies &&
+        Trees::applies(model_, options_, *plan_.integrator)) {
+      add("reduced coordinates", true, "joints hang bodies from each other as trees", "");
+      add("joint constraints", false, "", "reduced coordinates satisfy all joints");
       return;
     }
     const Reduced reduced = reduce(model_);

@@ -194,6 +194,6 @@ class Points : public PointsSize<N> {
   std::vector<Drive> drives_;
 };
 
-static_assert(System<Points<0>> && System<Points<1>>);
+static_assert(Split<Points<0>> && Split<Points<1>>);
 
 }  // namespace cylon::engine

@@ -137,6 +137,6 @@ class Top {
   Vector3 pull_;
 };
 
-static_assert(System<Top>);
+static_assert(Split<Top>);
 
 }  // namespace cylon::engine

@@ -202,7 +202,7 @@ class Advance {
     using Step = Steps<S, TableRow<Row>>;
     if constexpr (integrator_table[Row].kind == Kind::runge_kutta)
       return {chosen<&Step::runge_kutta>, chosen<&Step::runge_kutta>};
-    else if constexpr (integrator_table[Row].kind == Kind::splitting)
+    else if constexpr (integrator_table[Row].kind == Kind::splitting && Split<S>)
       return {chosen<&Step::splitting>, &Step::rattle};
     else
       return {};

@@ -217,7 +217,8 @@ TEST(UserForce, MayTurn) {
 TEST(UserForce, GoesToMethodsThatSampleIt) {
   for (int method = 0; method < static_cast<int>(Method::count); ++method) {
     const auto m = static_cast<Method>(method);
-    EXPECT_EQ(supports(m).has(Feature::user_force), m == Method::bodies || m == Method::events) << method;
+    const bool samples = m == Method::bodies || m == Method::trees || m == Method::events;
+    EXPECT_EQ(supports(m).has(Feature::user_force), samples) << method;
     EXPECT_EQ(supports(m).has(Feature::user_force), supports(m).has(Feature::user_force_of_velocities));
   }
   // Neither a closed form nor the points' lanes.

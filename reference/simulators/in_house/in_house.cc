@@ -68,7 +68,8 @@ core::Engine describe() {
   engine.options.push_back({"joints",
                             {"reduced", "constraints"},
                             "reduced",
-                            "reduced: joints to the world leave coordinates out; constraints: all are kept"});
+                            "reduced: joints to the world leave coordinates out, and so do trees of joints "
+                            "in fixed Runge-Kutta steps; constraints: all are kept"});
   engine.options.push_back(
       {"account", {"no", "yes"}, "no", "yes: integrate the work of each force beside the motion"});
   engine.options.push_back(

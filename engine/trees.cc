@@ -1,0 +1,482 @@
+#include "engine/trees.h"
+
+#include "engine/methods.h"
+#include "engine/plan.h"
+#include "engine/rotation.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <utility>
+
+namespace cylon::engine {
+
+namespace {
+
+bool moves(const Model& model, int body) { return body != fixed_world && !model.bodies[index(body)].locked; }
+
+// One of two ways to hang bodies from each other: parents first.
+struct Hung {
+  int body, parent;
+  const Joint* joint;  // null: nothing holds it
+};
+
+// Empty where a joint closes a loop.  Joints between what does not move hold nothing.
+std::vector<Hung> forest(const Model& model) {
+  std::vector<std::vector<const Joint*>> joints(model.bodies.size());
+  std::vector<char> found(model.bodies.size(), 0);
+  std::vector<Hung> hung;
+  std::size_t holding = 0, used = 0;
+  const auto take = [&](int body, int parent, const Joint* joint) {
+    hung.push_back({body, parent, joint});
+    found[index(body)] = 1;
+    used += joint != nullptr;
+  };
+  for (const Joint& joint : model.joints) {
+    if (!moves(model, joint.body) && !moves(model, joint.to)) continue;
+    ++holding;
+    for (const int end : {joint.body, joint.to})
+      if (moves(model, end)) joints[index(end)].push_back(&joint);
+  }
+  const auto spread = [&](std::size_t from) {
+    for (; from < hung.size(); ++from) {
+      const int parent = hung[from].body;
+      for (const Joint* joint : joints[index(parent)]) {
+        const int other = joint->body == parent ? joint->to : joint->body;
+        if (moves(model, other) && !found[index(other)]) take(other, parent, joint);
+      }
+    }
+  };
+  for (const Joint& joint : model.joints) {
+    if (moves(model, joint.body) == moves(model, joint.to)) continue;
+    const int body = moves(model, joint.body) ? joint.body : joint.to;
+    if (!found[index(body)]) take(body, joint.body == body ? joint.to : joint.body, &joint);
+  }
+  spread(0);
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    if (found[i] || model.bodies[i].locked) continue;
+    take(static_cast<int>(i), fixed_world, nullptr);
+    spread(hung.size() - 1);
+  }
+  if (used != holding) return {};
+  return hung;
+}
+
+Matrix3 cross_matrix(const Vector3& r) {
+  Matrix3 m;
+  m << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
+  return m;
+}
+
+// Two unit vectors square to a unit vector and to each other.
+std::array<Vector3, 2> square_to(const Vector3& n) {
+  const Vector3 first = n.unitOrthogonal();
+  return {first, n.cross(first)};
+}
+
+// Of a motion or a force: its part that turns, then the other.
+template <class Columns>
+void set(Columns& to, int column, const Vector3& turning, const Vector3& going) {
+  to.col(column).template head<3>() = turning;
+  to.col(column).template tail<3>() = going;
+}
+
+// Calls f.operator()<N>() for N = n, 1 to 6.
+template <class F>
+void with_size(int n, F&& f) {
+  switch (n) {
+    case 1:
+      return f.template operator()<1>();
+    case 2:
+      return f.template operator()<2>();
+    case 3:
+      return f.template operator()<3>();
+    case 4:
+      return f.template operator()<4>();
+    case 5:
+      return f.template operator()<5>();
+    default:
+      return f.template operator()<6>();
+  }
+}
+
+}  // namespace
+
+bool Trees::applies(const Model& model, const Options& options, const Integrator& integrator) {
+  if (integrator.kind != Kind::runge_kutta || !model.reduce_joints || options.constraints ||
+      model.joints.empty())
+    return false;
+  if (!(required(model, options) - supports(Method::trees)).empty()) return false;
+  if (!std::ranges::any_of(model.joints, [&](const Joint& joint) {
+        return moves(model, joint.body) && moves(model, joint.to);
+      }))
+    return false;
+  if (!std::ranges::all_of(model.bodies, [](const Body& body) {
+        return body.locked || (body.inverse_mass > 0 && body.inverse_moments.minCoeff() > 0);
+      }))
+    return false;
+  return !forest(model).empty();
+}
+
+Trees::Trees(Model model) : model_(std::move(model)), count_(movable_end(model_.bodies)) {
+  model_.forces.start_turns();
+  const std::size_t n = model_.bodies.size();
+  motions_ = model_.motions;
+  kinematics_.resize(n), loads_.resize(n), articulated_.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    kinematics_[i] = {rotation_matrix(motions_[i].orientation), Vector3::Zero(), Vector3::Zero()};
+    model_.bodies[i].turns = !model_.bodies[i].locked;
+  }
+  for (const Hung& one : forest(model_)) hang(one.body, one.joint, one.parent);
+  Node* root = nullptr;  // trees that hang from nothing come last, one after the other
+  for (Node& node : nodes_) {
+    if (node.directions.size() == 3) root = &node;
+    if (root) ++root->members;
+  }
+}
+
+void Trees::hang(int body, const Joint* joint, int parent) {
+  Node node;
+  node.body = body, node.parent = parent, node.at = size_;
+  Quaternion above = Quaternion::Identity();
+  if (parent != fixed_world) above = motions_[index(parent)].orientation;
+  node.relative = above.conjugate() * motions_[index(body)].orientation;
+  if (!joint) {  // in space: its place and its orientation
+    node.anchor = node.parent_anchor = Vector3::Zero();
+    node.directions = {Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()};
+    node.turns = Turns::freely;
+  } else {
+    const bool is_body = joint->body == body;
+    node.anchor = is_body ? joint->anchor : joint->to_anchor;
+    node.parent_anchor = is_body ? joint->to_anchor : joint->anchor;
+    node.child_slides = !is_body;
+    if (joint->type.place == Joint::Place::along_axis) node.directions = {joint->to_axis};
+    if (joint->type.place == Joint::Place::in_plane) {
+      const auto [first, second] = square_to(joint->to_axis);
+      node.directions = {first, second};
+    }
+    node.first = is_body ? joint->to_axis : joint->axis;
+    node.second_axis = is_body ? joint->axis : joint->to_axis;
+    node.second = node.relative * node.second_axis;
+    using Turn = Joint::Turn;
+    const Turn turn = joint->type.turn;
+    node.turns = turn == Turn::freely           ? Turns::freely
+                 : turn == Turn::about_axis     ? Turns::about_one
+                 : turn == Turn::about_two_axes ? Turns::about_two
+                                                : Turns::never;
+  }
+  node.slides = static_cast<int>(node.directions.size());
+  node.angles = node.turns == Turns::about_one ? 1 : node.turns == Turns::about_two ? 2 : 0;
+  node.freedoms = node.slides + (node.turns == Turns::freely ? 3 : node.angles);
+  size_ += node.coordinates() + static_cast<std::size_t>(node.freedoms);
+  nodes_.push_back(std::move(node));
+}
+
+// The coordinates of the model's motions.
+std::vector<Real> Trees::initial() const {
+  std::vector<Real> y(size_, 0);
+  for (const Node& node : nodes_) {
+    const Body& body = model_.bodies[index(node.body)];
+    const Motion& m = model_.motions[index(node.body)];
+    const Vector3 v = velocity(body, m), w = engine::angular_velocity(body, m);
+    Quaternion above = Quaternion::Identity();
+    Vector3 held = node.parent_anchor, v_above = Vector3::Zero(), w_above = Vector3::Zero(),
+            centre = Vector3::Zero();
+    if (node.parent != fixed_world) {
+      const Body& parent = model_.bodies[index(node.parent)];
+      const Motion& p = model_.motions[index(node.parent)];
+      above = p.orientation, centre = p.position;
+      held = p.position + p.orientation * node.parent_anchor;
+      v_above = velocity(parent, p), w_above = engine::angular_velocity(parent, p);
+    }
+    const Vector3 mine = m.position + m.orientation * node.anchor, pivot = node.child_slides ? held : mine;
+    const Vector3 slip = v - v_above - w_above.cross(pivot - centre) - w.cross(m.position - pivot);
+    Real* q = y.data() + node.at;
+    Real* rate = y.data() + node.rates_at();
+    for (const Vector3& direction : node.directions) {
+      const Vector3 d =
+          node.child_slides ? Vector3(-(m.orientation * direction)) : Vector3(above * direction);
+      *q++ = d.dot(mine - held), *rate++ = d.dot(slip);
+    }
+    if (node.turns == Turns::freely) {
+      std::copy_n(m.orientation.coeffs().data(), 4, q);
+      std::copy_n(w.data(), 3, rate);
+    } else {
+      if (node.angles > 0) *rate++ = (above * node.first).dot(w - w_above);
+      if (node.angles > 1) *rate++ = (m.orientation * node.second_axis).dot(w - w_above);
+    }
+  }
+  for (const Node& root : nodes_) {
+    Real mass = 0;
+    Vector3 place = Vector3::Zero(), momentum = Vector3::Zero();
+    for (const Node* node = &root; node != &root + root.members; ++node) {
+      const Real m = model_.bodies[index(node->body)].mass;
+      const Motion& motion = model_.motions[index(node->body)];
+      mass += m, place += m * motion.position, momentum += motion.momentum;
+    }
+    if (root.members < 2) continue;
+    const Vector3 centre = place / mass, speed = momentum / mass;
+    std::copy_n(centre.data(), 3, y.data() + root.at);
+    std::copy_n(speed.data(), 3, y.data() + root.rates_at());
+  }
+  return y;
+}
+
+// Where a body is and how it moves, from its coordinates and its parent:
+//   R = R_p exp(a h) exp(b u) R_0,   c = pivot - R anchor  (with displacements on the side of who carries them),
+//   w = w_p + sum e a',   v = v_p + w_p x (pivot - c_p) + sum d s' + w x (c - pivot)
+void Trees::place(const Node& node, const Real* y, Motion* motions, Kinematics* kinematics) const {
+  const Body& body = model_.bodies[index(node.body)];
+  Motion& m = motions[index(node.body)];
+  Kinematics& k = kinematics[index(node.body)];
+  const bool held_by_body = node.parent != fixed_world;
+  const Kinematics* parent = held_by_body ? &kinematics[index(node.parent)] : nullptr;
+  const Vector3 held =
+      held_by_body ? Vector3(motions[index(node.parent)].position + parent->rotation * node.parent_anchor)
+                   : node.parent_anchor;
+  const Vector3 w_above = held_by_body ? parent->angular_velocity : Vector3(Vector3::Zero());
+  Vector3 v = held_by_body ? parent->velocity : Vector3(Vector3::Zero());
+  const Real* q = y + node.at + node.slides;
+  const Real* rate = y + node.rates_at() + node.slides;
+  if (node.turns == Turns::freely) {
+    m.orientation = Quaternion(q[3], q[0], q[1], q[2]).normalized();
+    k.rotation = rotation_matrix(m.orientation);
+    k.angular_velocity = {rate[0], rate[1], rate[2]};
+  } else {
+    Quaternion turn = node.relative;
+    if (node.angles > 1) turn = exponential(q[1] * node.second) * turn;
+    if (node.angles > 0) turn = exponential(q[0] * node.first) * turn;
+    if (held_by_body) turn = motions[index(node.parent)].orientation * turn;
+    m.orientation = renormalised(turn);
+    k.rotation = rotation_matrix(m.orientation);
+    k.angular_velocity = w_above;
+    if (node.angles > 0)
+      k.angular_velocity += rate[0] * (held_by_body ? Vector3(parent->rotation * node.first) : node.first);
+    if (node.angles > 1) k.angular_velocity += rate[1] * (k.rotation * node.second_axis);
+  }
+  Vector3 slid = Vector3::Zero(), slip = Vector3::Zero();
+  for (int i = 0; i < node.slides; ++i) {
+    const Vector3& direction = node.directions[static_cast<std::size_t>(i)];
+    const Vector3 d = node.child_slides ? Vector3(-(k.rotation * direction))
+                      : held_by_body    ? Vector3(parent->rotation * direction)
+                                        : direction;
+    slid += y[node.at + static_cast<std::size_t>(i)] * d;
+    slip += y[node.rates_at() + static_cast<std::size_t>(i)] * d;
+  }
+  m.position = held + slid - k.rotation * node.anchor;
+  const Vector3 pivot = node.child_slides ? held : Vector3(held + slid);
+  if (held_by_body) v += w_above.cross(pivot - motions[index(node.parent)].position);
+  v += slip + k.angular_velocity.cross(m.position - pivot);
+  k.velocity = v;
+  m.momentum = body.mass * v;
+  m.angular_momentum = k.rotation * (body.inertia * (k.rotation.transpose() * k.angular_velocity));
+}
+
+// The root was placed at the centre of mass, and moved with it.
+void Trees::move_to_centre(const Node& root, const Real* y, Motion* motions, Kinematics* kinematics) const {
+  const Node* const end = &root + root.members;
+  Real mass = 0;
+  Vector3 place = Vector3::Zero(), momentum = Vector3::Zero();
+  for (const Node* node = &root; node != end; ++node) {
+    const Real m = model_.bodies[index(node->body)].mass;
+    mass += m, place += m * motions[index(node->body)].position,
+        momentum += motions[index(node->body)].momentum;
+  }
+  const Real *q = y + root.at, *rate = y + root.rates_at();
+  const Vector3 shift = Vector3(q[0], q[1], q[2]) - place / mass,
+                push = Vector3(rate[0], rate[1], rate[2]) - momentum / mass;
+  for (const Node* node = &root; node != end; ++node) {
+    const std::size_t i = index(node->body);
+    motions[i].position += shift;
+    motions[i].momentum += model_.bodies[i].mass * push;
+    kinematics[i].velocity += push;
+  }
+}
+
+void Trees::place_all(const Real* y, Motion* motions, Kinematics* kinematics) const {
+  for (const Node& node : nodes_) place(node, y, motions, kinematics);
+  for (const Node& node : nodes_)
+    if (node.members > 1) move_to_centre(node, y, motions, kinematics);
+}
+
+void Trees::read(const Real* y, std::vector<Motion>& motions) const {
+  motions = model_.motions;
+  std::vector<Kinematics> kinematics = kinematics_;
+  place_all(y, motions.data(), kinematics.data());
+}
+
+// Of a turn about e through the pivot, of which the body's centre is off by r, and of a displacement along d:
+//   S = (e, e x r),  S = (0, d);  S' q' with  e' and d' of who carries them and  r' = v - that of the pivot.
+// And of the parent:  a = a_p + alpha_p x (c - c_p) + w_p x (v - v_p).
+void Trees::find_space(const Node& node, const Real* y) {
+  Articulated& a = articulated_[index(node.body)];
+  const Motion& m = motions_[index(node.body)];
+  const Kinematics& k = kinematics_[index(node.body)];
+  const bool held_by_body = node.parent != fixed_world;
+  Vector3 w_above = Vector3::Zero(), v_above = Vector3::Zero(), centre = Vector3::Zero(),
+          held = node.parent_anchor;
+  if (held_by_body) {
+    const Kinematics& parent = kinematics_[index(node.parent)];
+    w_above = parent.angular_velocity, v_above = parent.velocity,
+    centre = motions_[index(node.parent)].position;
+    held = centre + parent.rotation * node.parent_anchor;
+  }
+  if (node.members > 0) {  // in space: along and about the axes of the world through its own centre
+    a.space.setZero();
+    a.space.topRightCorner<3, 3>().setIdentity(), a.space.bottomLeftCorner<3, 3>().setIdentity();
+    a.change.setZero(), a.shift.setZero();
+    return;
+  }
+  a.shift = held_by_body ? Vector3(m.position - centre) : Vector3(Vector3::Zero());
+  Vector3 turned = Vector3::Zero();  // of the change: alpha
+  Vector3 carried = held_by_body ? Vector3(w_above.cross(k.velocity - v_above)) : Vector3(Vector3::Zero());
+  const Vector3 pivot = node.child_slides ? held : Vector3(m.position + k.rotation * node.anchor);
+  const Vector3 r = m.position - pivot;
+  Vector3 slip = Vector3::Zero();
+  const Real* rate = y + node.rates_at();
+  int column = 0;
+  for (; column < node.slides; ++column) {
+    const Vector3& direction = node.directions[static_cast<std::size_t>(column)];
+    const Vector3 d = node.child_slides ? Vector3(-(k.rotation * direction))
+                      : held_by_body    ? Vector3(kinematics_[index(node.parent)].rotation * direction)
+                                        : direction;
+    set(a.space, column, Vector3::Zero(), d);
+    carried += rate[column] * (node.child_slides ? k.angular_velocity : w_above).cross(d);
+    slip += rate[column] * d;
+  }
+  Vector3 r_rate = k.velocity - v_above - w_above.cross(pivot - centre);
+  if (!node.child_slides) r_rate -= slip;
+  const auto turn_about = [&](const Vector3& e) { set(a.space, column++, e, e.cross(r)); };
+  if (node.turns == Turns::freely) {
+    for (int i = 0; i < 3; ++i) turn_about(Vector3::Unit(i));
+    carried += (k.angular_velocity - w_above).cross(r_rate);
+  }
+  if (node.angles > 0) {
+    const Vector3 e =
+        held_by_body ? Vector3(kinematics_[index(node.parent)].rotation * node.first) : node.first;
+    const Vector3 change = rate[column] * w_above.cross(e);
+    turned += change, carried += change.cross(r) + rate[column] * e.cross(r_rate);
+    turn_about(e);
+  }
+  if (node.angles > 1) {
+    const Vector3 e = k.rotation * node.second_axis;
+    const Vector3 change = rate[column] * k.angular_velocity.cross(e);
+    turned += change, carried += change.cross(r) + rate[column] * e.cross(r_rate);
+    turn_about(e);
+  }
+  set(a.change, 0, turned, carried);
+}
+
+// What a body and all that hangs from it are to its parent:
+//   I_p += X^T (I - I S (S^T I S)^-1 S^T I) X,   b_p += X^T (b + that g + I S (S^T I S)^-1 u),   u = -S^T b
+template <int N>
+void Trees::lean(const Node& node, Articulated& a) {
+  const Eigen::Matrix<Real, 6, N> s = a.space.template leftCols<N>();
+  const Eigen::Matrix<Real, 6, N> force = a.inertia * s;
+  const Eigen::Matrix<Real, N, N> mass = s.transpose() * force;
+  Eigen::Matrix<Real, N, N> inverse;
+  if constexpr (N == 1)
+    inverse(0, 0) = 1 / mass(0, 0);
+  else
+    inverse = mass.llt().solve(Eigen::Matrix<Real, N, N>::Identity());
+  const Eigen::Matrix<Real, N, 1> push = -s.transpose() * a.bias;
+  a.force.template leftCols<N>() = force;
+  a.inverse.template topLeftCorner<N, N>() = inverse;
+  a.push.template head<N>() = push;
+  if (!moves(model_, node.parent)) return;
+  const Eigen::Matrix<Real, 6, N> share = force * inverse;
+  a.inertia -= share * force.transpose();
+  a.bias += a.inertia * a.change + share * push;
+}
+
+template <int N>
+void Trees::accelerate(const Node& node, Articulated& a, const Vector6& parent, const Real* y,
+                       Real* rate) const {
+  a.acceleration = parent + a.change;
+  const Eigen::Matrix<Real, N, 1> q =
+      a.inverse.template topLeftCorner<N, N>() *
+      (a.push.template head<N>() - a.force.template leftCols<N>().transpose() * a.acceleration);
+  a.acceleration += a.space.template leftCols<N>() * q;
+  const Real* now = y + node.rates_at();
+  Real* change = rate + node.at;
+  for (int i = 0; i < node.slides + node.angles; ++i) *change++ = now[i];
+  if (node.turns == Turns::freely) {
+    const Real* c = y + node.at + node.slides;
+    const Vector3 half = Vector3(now[node.slides], now[node.slides + 1], now[node.slides + 2]) / 2;
+    const Quaternion turn = Quaternion(0, half.x(), half.y(), half.z()) * Quaternion(c[3], c[0], c[1], c[2]);
+    change = std::copy_n(turn.coeffs().data(), 4, change);
+  }
+  for (int i = 0; i < node.slides + node.angles; ++i) *change++ = q[i];
+  if (node.turns == Turns::freely) std::copy_n(a.acceleration.data(), 3, change);
+}
+
+void Trees::rates(Time t, const Real* y, Real* rate) {
+  place_all(y, motions_.data(), kinematics_.data());
+  if (!model_.forces.coordinate_laws.empty()) {
+    model_.forces.follow_turns(model_.bodies, motions_.data(), static_cast<Real>(t - followed_.value_or(t)));
+    followed_ = t;
+  }
+  apply(model_.forces, t, model_.bodies, count_, motions_.data(), kinematics_.data(), loads_.data());
+  for (const Node& node : nodes_) {
+    const std::size_t i = index(node.body);
+    const Body& body = model_.bodies[i];
+    const Kinematics& k = kinematics_[i];
+    Articulated& a = articulated_[i];
+    a.inertia.setZero();
+    a.inertia.topLeftCorner<3, 3>() = k.rotation * body.inertia * k.rotation.transpose();
+    a.inertia.bottomRightCorner<3, 3>().diagonal().setConstant(body.mass);
+    set(a.bias, 0, k.angular_velocity.cross(motions_[i].angular_momentum) - loads_[i].torque,
+        -loads_[i].force);
+    find_space(node, y);
+  }
+  for (auto node = nodes_.rbegin(); node != nodes_.rend(); ++node) {
+    Articulated& a = articulated_[index(node->body)];
+    if (node->freedoms > 0)
+      with_size(node->freedoms, [&]<int N>() { lean<N>(*node, a); });
+    else
+      a.bias += a.inertia * a.change;
+    if (!moves(model_, node->parent)) continue;
+    Articulated& parent = articulated_[index(node->parent)];
+    const Matrix3 d = cross_matrix(a.shift);
+    const auto turns = a.inertia.topLeftCorner<3, 3>(), mixed = a.inertia.topRightCorner<3, 3>(),
+               goes = a.inertia.bottomRightCorner<3, 3>();
+    const Matrix3 at = d * goes, both = mixed + at;
+    parent.inertia.topLeftCorner<3, 3>() += turns - both * d + d * mixed.transpose();
+    parent.inertia.topRightCorner<3, 3>() += both;
+    parent.inertia.bottomLeftCorner<3, 3>() += both.transpose();
+    parent.inertia.bottomRightCorner<3, 3>() += goes;
+    const Vector3 force = a.bias.tail<3>();
+    parent.bias.tail<3>() += force;
+    parent.bias.head<3>() += a.bias.head<3>() + a.shift.cross(force);
+  }
+  for (const Node& node : nodes_) {
+    Articulated& a = articulated_[index(node.body)];
+    Vector6 parent = Vector6::Zero();
+    if (moves(model_, node.parent)) {
+      parent = articulated_[index(node.parent)].acceleration;
+      parent.tail<3>() += parent.head<3>().cross(a.shift);
+    }
+    if (node.freedoms > 0)
+      with_size(node.freedoms, [&]<int N>() { accelerate<N>(node, a, parent, y, rate); });
+    else
+      a.acceleration = parent + a.change;
+  }
+  // What the bodies do to each other cancels.
+  for (const Node& root : nodes_) {
+    if (root.members < 2) continue;
+    Real mass = 0;
+    Vector3 force = Vector3::Zero();
+    for (const Node* node = &root; node != &root + root.members; ++node)
+      mass += model_.bodies[index(node->body)].mass, force += loads_[index(node->body)].force;
+    for (int i = 0; i < 3; ++i) rate[root.rates_at() + static_cast<std::size_t>(i)] = force[i] / mass;
+  }
+}
+
+void Trees::project(Real* y) const {
+  for (const Node& node : nodes_) {
+    if (node.turns != Turns::freely) continue;
+    Eigen::Map<Eigen::Matrix<Real, 4, 1>>(y + node.at + node.slides).normalize();
+  }
+}
+
+}  // namespace cylon::engine
