@@ -103,14 +103,25 @@ void with_size(int n, F&& f) {
 }  // namespace
 
 bool Trees::applies(const Model& model, const Options& options, const Integrator& integrator) {
-  if (integrator.kind != Kind::runge_kutta || !model.reduce_joints || options.constraints ||
+  if (integrator.kind == Kind::splitting || !model.reduce_joints || options.constraints ||
       model.joints.empty())
     return false;
   if (!(required(model, options) - supports(Method::trees)).empty()) return false;
+  // What switches on and off is located in motions.
+  if (integrator.kind == Kind::adaptive && !model.forces.waters.empty()) return false;
   if (!std::ranges::any_of(model.joints, [&](const Joint& joint) {
         return moves(model, joint.body) && moves(model, joint.to);
       }))
     return false;
+  // A law of which the turns count belongs to an angle of its joint.
+  for (const CoordinateLaw& law : model.forces.coordinate_laws)
+    if (law.counts_turns() && std::ranges::none_of(model.joints, [&](const Joint& joint) {
+          const bool turns =
+              joint.type.turn == Joint::Turn::about_axis || joint.type.turn == Joint::Turn::about_two_axes;
+          return turns && ((joint.body == law.at.body && joint.to == law.at.to) ||
+                           (joint.body == law.at.to && joint.to == law.at.body));
+        }))
+      return false;
   if (!std::ranges::all_of(model.bodies, [](const Body& body) {
         return body.locked || (body.inverse_mass > 0 && body.inverse_moments.minCoeff() > 0);
       }))
@@ -133,6 +144,7 @@ Trees::Trees(Model model) : model_(std::move(model)), count_(movable_end(model_.
     if (node.directions.size() == 3) root = &node;
     if (root) ++root->members;
   }
+  count_turns();
 }
 
 void Trees::hang(int body, const Joint* joint, int parent) {
@@ -165,11 +177,40 @@ void Trees::hang(int body, const Joint* joint, int parent) {
                  : turn == Turn::about_two_axes ? Turns::about_two
                                                 : Turns::never;
   }
+  arm_ = std::max({arm_, node.anchor.norm(), parent == fixed_world ? Real(0) : node.parent_anchor.norm()});
   node.slides = static_cast<int>(node.directions.size());
   node.angles = node.turns == Turns::about_one ? 1 : node.turns == Turns::about_two ? 2 : 0;
   node.freedoms = node.slides + (node.turns == Turns::freely ? 3 : node.angles);
   size_ += node.coordinates() + static_cast<std::size_t>(node.freedoms);
   nodes_.push_back(std::move(node));
+}
+
+// An angle of a law is that of its joint, counted from the start, on the side of the law.
+void Trees::count_turns() {
+  const auto orientation = [&](int body) {
+    return body == fixed_world ? Quaternion(Quaternion::Identity()) : motions_[index(body)].orientation;
+  };
+  for (std::size_t k = 0; k < model_.forces.coordinate_laws.size(); ++k) {
+    const CoordinateLaw& law = model_.forces.coordinate_laws[k];
+    if (!law.counts_turns()) continue;
+    for (const Node& node : nodes_) {
+      const bool from_body = node.body == law.at.body && node.parent == law.at.to;
+      if (node.angles == 0 || !(from_body || (node.body == law.at.to && node.parent == law.at.body)))
+        continue;
+      const int carrier = law.at.on_body ? law.at.body : law.at.to;
+      const bool second = node.angles > 1 && carrier == node.body;
+      const Vector3 ours = second ? Vector3(orientation(node.body) * node.second_axis)
+                                  : Vector3(orientation(node.parent) * node.first);
+      const Real along = ours.dot(orientation(carrier) * law.at.axis);
+      counted_.push_back({k, node.at + static_cast<std::size_t>(node.slides + (second ? 1 : 0)),
+                          (along > 0) == from_body ? Real(1) : Real(-1), law.at.near});
+    }
+  }
+}
+
+void Trees::read_turns(const Real* y, std::vector<Real>& turns) const {
+  model_.forces.read_turns(turns);
+  for (const Counted& one : counted_) turns[one.law] = one.start + one.sign * y[one.at];
 }
 
 // The coordinates of the model's motions.
@@ -412,10 +453,8 @@ void Trees::accelerate(const Node& node, Articulated& a, const Vector6& parent, 
 
 void Trees::rates(Time t, const Real* y, Real* rate) {
   place_all(y, motions_.data(), kinematics_.data());
-  if (!model_.forces.coordinate_laws.empty()) {
-    model_.forces.follow_turns(model_.bodies, motions_.data(), static_cast<Real>(t - followed_.value_or(t)));
-    followed_ = t;
-  }
+  for (const Counted& one : counted_)
+    model_.forces.coordinate_laws[one.law].at.near = one.start + one.sign * y[one.at];
   apply(model_.forces, t, model_.bodies, count_, motions_.data(), kinematics_.data(), loads_.data());
   for (const Node& node : nodes_) {
     const std::size_t i = index(node.body);
@@ -476,6 +515,33 @@ void Trees::project(Real* y) const {
   for (const Node& node : nodes_) {
     if (node.turns != Turns::freely) continue;
     Eigen::Map<Eigen::Matrix<Real, 4, 1>>(y + node.at + node.slides).normalize();
+  }
+}
+
+// Places against the largest distance from the origin so far, speeds against the largest speed, turns against 1 and spins
+// against the largest spin.  What is at rest is shaken by the rounding of its forces, which no step makes smooth: a speed is
+// small against what these give over the length of the scene, sqrt(F/m L), not against nothing.  Bodies that turn about their
+// own centres move along their joints by that times its arm.
+void Trees::scales(const Real* y, Real* scale) {
+  place_all(y, motions_.data(), kinematics_.data());
+  for (const Node& node : nodes_) {
+    const std::size_t i = index(node.body);
+    length_ = std::max(length_, motions_[i].position.norm());
+    speed_ = std::max(speed_, kinematics_[i].velocity.norm());
+    turn_ = std::max(turn_, kinematics_[i].angular_velocity.norm());
+    pull_ = std::max(pull_, loads_[i].force.norm() / model_.bodies[i].mass);
+  }
+  const Real shaken = std::sqrt(std::max(pull_, model_.strongest_gravity()) * length_);
+  const auto or_one = [](Real x) { return x > 0 ? x : Real(1); };
+  const Real length = or_one(std::max(length_, arm_)),
+             speed = or_one(std::max({speed_, shaken, turn_ * arm_})),
+             turn = or_one(std::max(turn_, length_ > 0 ? shaken / length_ : 0));
+  for (const Node& node : nodes_) {
+    std::fill_n(scale + node.at, node.slides, length);
+    std::fill_n(scale + node.at + node.slides, node.coordinates() - static_cast<std::size_t>(node.slides),
+                Real(1));
+    std::fill_n(scale + node.rates_at(), node.slides, speed);
+    std::fill_n(scale + node.rates_at() + node.slides, node.freedoms - node.slides, turn);
   }
 }
 

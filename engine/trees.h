@@ -6,7 +6,6 @@
 #include "engine/system.h"
 
 #include <array>
-#include <optional>
 #include <vector>
 
 namespace cylon::engine {
@@ -36,12 +35,14 @@ class Trees {
 
   void rates(Time, const Real* y, Real* rate);
   void project(Real* y) const;
+  /// For error control: the largest size so far of each component's kind over all bodies.
+  void scales(const Real* y, Real* scale);
   Time next_kink(Time t) const { return model_.forces.next_kink(t); }
   void start_piece(Time t) { model_.forces.start_piece(t); }
 
   /// The motions of all bodies in a state.
   void read(const Real* y, std::vector<Motion>& motions) const;
-  void read_turns(const Real*, std::vector<Real>& turns) const { model_.forces.read_turns(turns); }
+  void read_turns(const Real* y, std::vector<Real>& turns) const;
 
   const Model& model() const { return model_; }
 
@@ -77,6 +78,7 @@ class Trees {
   };
 
   void hang(int body, const Joint*, int parent);
+  void count_turns();
   void place(const Node&, const Real* y, Motion*, Kinematics*) const;
   void move_to_centre(const Node& root, const Real* y, Motion*, Kinematics*) const;
   void place_all(const Real* y, Motion*, Kinematics*) const;
@@ -93,7 +95,14 @@ class Trees {
   std::vector<Motion> motions_;
   std::vector<Kinematics> kinematics_;
   std::vector<Load> loads_;
-  std::optional<Time> followed_;  // when the turns of joints were
+  // The angle of a law of which the turns count, in terms of one of y.
+  struct Counted {
+    std::size_t law, at;
+    Real sign, start;
+  };
+  std::vector<Counted> counted_;
+  Real length_ = 0, speed_ = 0, turn_ = 0, pull_ = 0;  // the largest so far; of |F|/m [m/s^2]
+  Real arm_ = 0;                                       // from a centre of mass to a joint, the longest [m]
 };
 
 static_assert(System<Trees>);

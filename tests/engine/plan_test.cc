@@ -136,11 +136,11 @@ std::vector<Case> cases() {
       {"joint between free bodies",
        [] { return linked_bodies(false); },
        Path::bodies,
-       {"rotation", "joint constraints"}},
+       {"rotation", "reduced coordinates"}},
       {"double pendulum",
        [] { return linked_bodies(true); },
        Path::bodies,
-       {"rotation", "gravity", "reduced coordinates", "joint constraints"}},
+       {"rotation", "gravity", "reduced coordinates"}},
       {"turning frame",
        [=] { return added(free_top(), [](Model& m) {
                m.frame = RotatingFrame{{0.1, 0.2, 0.3}};

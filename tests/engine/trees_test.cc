@@ -4,6 +4,8 @@
 #include "tests/engine/joint_scenes.h"
 #include "tests/engine/mixed_scenes.h"
 
+#include <numbers>
+
 namespace cylon::engine {
 namespace {
 
@@ -149,6 +151,19 @@ TEST(Trees, MoveAsConstraintsDo) {
   }
 }
 
+// With controlled errors, too.
+TEST(Trees, MeetATolerance) {
+  for (std::uint32_t number = 0; number < trees; number += 2) {
+    const Model model = forced_tree(number);
+    const auto exact = run(model, "rk8", 1, 2048).motions;
+    for (const Real tolerance : {1e-6, 1e-9}) {
+      Options options = with("auto", 0.1);
+      options.tolerance = tolerance;
+      EXPECT_LT(distance(run(model, options, 10).motions, exact), 20 * tolerance) << number;
+    }
+  }
+}
+
 TEST(Trees, HaveTheOrderOfTheirIntegrator) {
   for (std::uint32_t number = 0; number < trees; number += 3) {
     const Model model = forced_tree(number);
@@ -197,13 +212,54 @@ TEST(Trees, ManyMoveAsEachAlone) {
     EXPECT_LT((together.motions[i].position - alone.motions[i].position).norm(), 1e-12);
 }
 
+// A wheel on a torsion spring, wound up by fifty turns, in steps of the samples that hold several turns each: neither the
+// steps nor a run that begins where another ends lose count.   J a'' = -k a  from a = 100 pi, J the reduced inertia.
+TEST(Trees, CountTheTurnsOfTheirJoints) {
+  for (const bool reversed : {false, true}) {
+    Model model;
+    const Real j = 0.06, other = 0.1, k = 0.5, wound = 100 * std::numbers::pi_v<Real>;
+    const Vector3 axis = Vector3(0.3, -0.5, 0.8).normalized();
+    add_body(model, make_body(1, other * Matrix3::Identity()), {0.1, 0.2, 0.3}, {0.4, -0.2, 0.3}, {0, 0, 0},
+             {0, 0, 0});
+    add_body(model, make_body(1, j * Matrix3::Identity()), {0.1, 0.2, 0.3}, {-0.3, 0.5, 0.1}, {0, 0, 0},
+             {0, 0, 0});
+    const int body = reversed ? 0 : 1, to = 1 - body;
+    const auto turn = [&](int i) { return model.motions[static_cast<std::size_t>(i)].orientation; };
+    Joint hinge;
+    hinge.type = joint_types::hinge, hinge.body = body, hinge.to = to;
+    hinge.axis = turn(body).conjugate() * axis, hinge.to_axis = turn(to).conjugate() * axis;
+    hinge.relative = turn(to).conjugate() * turn(body);
+    model.joints.push_back(hinge);
+    CoordinateLaw law;
+    law.at.kind = Coordinate::Kind::angle;
+    law.at.body = body, law.at.to = to, law.at.axis = hinge.to_axis,
+    law.at.zero = hinge.to_axis.unitOrthogonal();
+    law.at.mark = turn(body).conjugate() * (turn(to) * law.at.zero);
+    law.at.origin = wound, law.at.start = wound, law.stiffness = k;
+    model.forces.coordinate_laws.push_back(law);
+    Options options = with("auto", 0.7);
+    ASSERT_TRUE(Trees::applies(model, options, *find_integrator("dop853")));
+    const Outcome end = run(model, options, 10);
+    const Real reduced = j * other / (j + other),
+               rate = -wound * std::sqrt(k / reduced) * std::sin(std::sqrt(k / reduced) * Real(7));
+    const auto spin = [&](int i) {
+      return angular_velocity(model.bodies[static_cast<std::size_t>(i)],
+                              end.motions[static_cast<std::size_t>(i)]);
+    };
+    EXPECT_NEAR((spin(body) - spin(to)).dot(axis), rate, 1e-7 * wound) << reversed;
+  }
+}
+
 // What the coordinates do not express stays with constraints.
 TEST(Trees, LeaveOutWhatTheyDoNotExpress) {
   const Options options = with("rk4", 0.01);
   const Model good = forced_tree(1);
   EXPECT_TRUE(hang_together(good, options));
   EXPECT_FALSE(hang_together(good, with("velocity-verlet", 0.01))) << "its parts are of momenta";
-  EXPECT_FALSE(hang_together(good, with("dop853", 0.01))) << "its errors are of motions";
+  Model wet = good;
+  wet.forces.waters.emplace_back();
+  EXPECT_TRUE(hang_together(wet, options));
+  EXPECT_FALSE(hang_together(wet, with("dop853", 0.01))) << "switches are located in motions";
   Options kept = options;
   kept.constraints = true;
   EXPECT_FALSE(hang_together(good, kept));

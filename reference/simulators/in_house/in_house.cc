@@ -69,7 +69,7 @@ core::Engine describe() {
                             {"reduced", "constraints"},
                             "reduced",
                             "reduced: joints to the world leave coordinates out, and so do trees of joints "
-                            "in fixed Runge-Kutta steps; constraints: all are kept"});
+                            "where the integrator is no splitting; constraints: all are kept"});
   engine.options.push_back(
       {"account", {"no", "yes"}, "no", "yes: integrate the work of each force beside the motion"});
   engine.options.push_back(
