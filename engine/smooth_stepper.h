@@ -26,7 +26,7 @@ class SmoothStepper final : public SystemStepper<S, Read> {
       const Time begin = static_cast<Time>(steps_) * dt_, end = begin + dt_, sliver = no_part * dt_;
       Time now = begin;
       system_.start_piece(now + sliver);
-      for (Time kink; (kink = system_.next_kink(now + sliver)) < end - sliver; now = kink) {
+      for (Time kink = now; (kink = system_.next_kink(now + sliver)) < end - sliver; now = kink) {
         advance_(system_, now, kink - now, y_.data());
         system_.start_piece(kink + sliver);
       }

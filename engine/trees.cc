@@ -202,7 +202,7 @@ void Trees::count_turns() {
       const Vector3 ours = second ? Vector3(orientation(node.body) * node.second_axis)
                                   : Vector3(orientation(node.parent) * node.first);
       const Real along = ours.dot(orientation(carrier) * law.at.axis);
-      counted_.push_back({k, node.at + static_cast<std::size_t>(node.slides + (second ? 1 : 0)),
+      counted_.push_back({k, node.at + static_cast<std::size_t>(node.slides) + (second ? 1 : 0),
                           (along > 0) == from_body ? Real(1) : Real(-1), law.at.near});
     }
   }
@@ -468,14 +468,15 @@ void Trees::rates(Time t, const Real* y, Real* rate) {
         -loads_[i].force);
     find_space(node, y);
   }
-  for (auto node = nodes_.rbegin(); node != nodes_.rend(); ++node) {
-    Articulated& a = articulated_[index(node->body)];
-    if (node->freedoms > 0)
-      with_size(node->freedoms, [&]<int N>() { lean<N>(*node, a); });
+  for (std::size_t k = nodes_.size(); k-- > 0;) {
+    const Node& node = nodes_[k];
+    Articulated& a = articulated_[index(node.body)];
+    if (node.freedoms > 0)
+      with_size(node.freedoms, [&]<int N>() { lean<N>(node, a); });
     else
       a.bias += a.inertia * a.change;
-    if (!moves(model_, node->parent)) continue;
-    Articulated& parent = articulated_[index(node->parent)];
+    if (!moves(model_, node.parent)) continue;
+    Articulated& parent = articulated_[index(node.parent)];
     const Matrix3 d = cross_matrix(a.shift);
     const auto turns = a.inertia.topLeftCorner<3, 3>(), mixed = a.inertia.topRightCorner<3, 3>(),
                goes = a.inertia.bottomRightCorner<3, 3>();

@@ -66,7 +66,8 @@ class Trees {
     int slides = 0, angles = 0, freedoms = 0;
     std::size_t rates_at() const { return at + coordinates(); }
     std::size_t coordinates() const {
-      return static_cast<std::size_t>(slides + (turns == Turns::freely ? 4 : angles));
+      const int count = slides + (turns == Turns::freely ? 4 : angles);
+      return static_cast<std::size_t>(count);
     }
   };
   // Of one evaluation.
