@@ -1,11 +1,11 @@
 #include "harness/cli/content_of.h"
 
 #include "harness/core/content_hash.h"
+#include "harness/core/whole_file.h"
 #include "harness/study/modules.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <map>
 #include <string_view>
@@ -18,17 +18,15 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view between("\0", 1);
 
-std::string bytes_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 // What a program loads from its own folder: the shared libraries whose names stand in its bytes, by name.  Libraries of the
 // system are those of the machine, and a stored answer may come from another (study::content_hash counts them).
 std::vector<fs::path> own_libraries(const fs::path& program, std::string_view bytes) {
   std::vector<fs::path> found;
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(program.parent_path(), ignored))
+  std::error_code error, ignored;
+  const fs::directory_iterator entries(program.parent_path(), error);
+  if (error == std::errc::not_enough_memory || error == std::errc::too_many_files_open)
+    throw std::system_error(error);
+  for (const fs::directory_entry& entry : entries)
     if (entry.path().extension() == ".so" && entry.is_regular_file(ignored) &&
         bytes.find(entry.path().filename().string()) != std::string_view::npos)
       found.push_back(entry.path());
@@ -40,12 +38,12 @@ void add_file(core::ContentHash& content, const std::string& word) {
   std::error_code ignored;
   const fs::path file =
       fs::canonical(word, ignored);  // a worker may be a link to that of all engines of its kind
-  const std::string bytes = bytes_of(file);
+  const std::string bytes = core::whole_file(file);
   content.add(bytes);
   std::vector<fs::path> others = own_libraries(file, bytes);
   std::ranges::copy(study::modules_beside(file), std::back_inserter(others));
   for (const fs::path& other : others) {
-    for (const std::string& part : {other.filename().string(), bytes_of(other)}) {
+    for (const std::string& part : {other.filename().string(), core::whole_file(other)}) {
       content.add(between);
       content.add(part);
     }

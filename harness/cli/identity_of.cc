@@ -3,7 +3,6 @@
 #include "harness/cli/content_of.h"
 #include "harness/core/content_hash.h"
 #include "harness/process/client.h"
-#include "harness/process/failure.h"
 #include "harness/study/parallel.h"
 
 #include <algorithm>
@@ -21,8 +20,9 @@ std::string said_by(const process::EngineRow& row) {
   try {
     const core::Engine engine = process::describe({row.id, row, row.path, "", {}});
     return engine.name + std::string(between) + engine.version;
-  } catch (
-      const process::Failure&) {  // why will be a verdict; no memory, or no process, is no word of the engine
+  } catch (const process::Interrupted&) {
+    throw;
+  } catch (const std::exception&) {  // why will be a verdict
     return "says nothing";
   }
 }

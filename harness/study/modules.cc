@@ -15,7 +15,11 @@ std::vector<fs::path> modules_beside(const fs::path& script) {
   const fs::path folder = file.parent_path(), extension = file.extension();
   if (std::ranges::find(extensions, extension) == extensions.end()) return {};
   std::vector<fs::path> found;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+  std::error_code error;
+  const fs::directory_iterator entries(folder, error);
+  if (error == std::errc::not_enough_memory || error == std::errc::too_many_files_open)
+    throw std::system_error(error);
+  for (const fs::directory_entry& entry : entries)
     if (entry.path().extension() == extension && entry.path() != file && entry.is_regular_file(ignored))
       found.push_back(entry.path());
   std::ranges::sort(found);

@@ -1,5 +1,6 @@
 #include "harness/study/side.h"
 
+#include "harness/core/whole_file.h"
 #include "harness/process/child.h"
 #include "harness/seal/sha256.h"
 #include "harness/study/modules.h"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <sstream>
 #include <system_error>
@@ -30,8 +30,7 @@ std::string file_hash(const fs::path& file) {
   Known now{fs::last_write_time(file, ignored), fs::file_size(file, ignored), ""};
   Known& before = known[file];
   if (!before.hash.empty() && before.written == now.written && before.size == now.size) return before.hash;
-  std::ifstream in(file, std::ios::binary);
-  now.hash = seal::sha256(std::string(std::istreambuf_iterator<char>(in), {}));
+  now.hash = seal::sha256(core::whole_file(file));
   before = now;
   return now.hash;
 }
