@@ -101,6 +101,9 @@ struct Model {
 
   std::optional<RotatingFrame> frame;
 
+  /// Whether an end of a joint or a force is a body that can move.
+  bool moves(int body) const { return body != fixed_world && !bodies[static_cast<std::size_t>(body)].locked; }
+
   /// Whether two bodies may touch each other, as far as `apart` and the filters say.
   bool may_touch(int a, int b) const {
     if (!filters.empty() &&

@@ -1,5 +1,6 @@
 #include "engine/trees.h"
 
+#include "engine/forest.h"
 #include "engine/methods.h"
 #include "engine/plan.h"
 #include "engine/rotation.h"
@@ -12,61 +13,6 @@
 namespace cylon::engine {
 
 namespace {
-
-bool moves(const Model& model, int body) { return body != fixed_world && !model.bodies[index(body)].locked; }
-
-// One of two ways to hang bodies from each other: parents first.
-struct Hung {
-  int body, parent;
-  const Joint* joint;  // null: nothing holds it
-};
-
-// Empty where a joint closes a loop.  Joints between what does not move hold nothing.
-std::vector<Hung> forest(const Model& model) {
-  std::vector<std::vector<const Joint*>> joints(model.bodies.size());
-  std::vector<char> found(model.bodies.size(), 0);
-  std::vector<Hung> hung;
-  std::size_t holding = 0, used = 0;
-  const auto take = [&](int body, int parent, const Joint* joint) {
-    hung.push_back({body, parent, joint});
-    found[index(body)] = 1;
-    used += joint != nullptr;
-  };
-  for (const Joint& joint : model.joints) {
-    if (!moves(model, joint.body) && !moves(model, joint.to)) continue;
-    ++holding;
-    for (const int end : {joint.body, joint.to})
-      if (moves(model, end)) joints[index(end)].push_back(&joint);
-  }
-  const auto spread = [&](std::size_t from) {
-    for (; from < hung.size(); ++from) {
-      const int parent = hung[from].body;
-      for (const Joint* joint : joints[index(parent)]) {
-        const int other = joint->body == parent ? joint->to : joint->body;
-        if (moves(model, other) && !found[index(other)]) take(other, parent, joint);
-      }
-    }
-  };
-  for (const Joint& joint : model.joints) {
-    if (moves(model, joint.body) == moves(model, joint.to)) continue;
-    const int body = moves(model, joint.body) ? joint.body : joint.to;
-    if (!found[index(body)]) take(body, joint.body == body ? joint.to : joint.body, &joint);
-  }
-  spread(0);
-  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
-    if (found[i] || model.bodies[i].locked) continue;
-    take(static_cast<int>(i), fixed_world, nullptr);
-    spread(hung.size() - 1);
-  }
-  if (used != holding) return {};
-  return hung;
-}
-
-Matrix3 cross_matrix(const Vector3& r) {
-  Matrix3 m;
-  m << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
-  return m;
-}
 
 // Two unit vectors square to a unit vector and to each other.
 std::array<Vector3, 2> square_to(const Vector3& n) {
@@ -109,9 +55,8 @@ bool Trees::applies(const Model& model, const Options& options, const Integrator
   if (!(required(model, options) - supports(Method::trees)).empty()) return false;
   // What switches on and off is located in motions.
   if (integrator.kind == Kind::adaptive && !model.forces.waters.empty()) return false;
-  if (!std::ranges::any_of(model.joints, [&](const Joint& joint) {
-        return moves(model, joint.body) && moves(model, joint.to);
-      }))
+  if (!std::ranges::any_of(
+          model.joints, [&](const Joint& joint) { return model.moves(joint.body) && model.moves(joint.to); }))
     return false;
   // A law of which the turns count belongs to an angle of its joint.
   for (const CoordinateLaw& law : model.forces.coordinate_laws)
@@ -135,14 +80,18 @@ Trees::Trees(Model model) : model_(std::move(model)), count_(movable_end(model_.
   motions_ = model_.motions;
   kinematics_.resize(n), loads_.resize(n), articulated_.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
-    kinematics_[i] = {rotation_matrix(motions_[i].orientation), Vector3::Zero(), Vector3::Zero()};
-    model_.bodies[i].turns = !model_.bodies[i].locked;
+    Body& body = model_.bodies[i];
+    body.turns = !body.locked;
+    kinematics_[i] = {rotation_matrix(motions_[i].orientation), velocity(body, motions_[i]),
+                      engine::angular_velocity(body, motions_[i])};
   }
+  motions_.emplace_back();  // the world, as a body that does not move
+  kinematics_.push_back({Matrix3::Identity(), Vector3::Zero(), Vector3::Zero()});
   for (const Hung& one : forest(model_)) hang(one.body, one.joint, one.parent);
   Node* root = nullptr;  // trees that hang from nothing come last, one after the other
   for (Node& node : nodes_) {
-    if (node.directions.size() == 3) root = &node;
-    if (root) ++root->members;
+    if (node.slides == 3) root = &node;
+    if (root) ++root->members, root->mass += model_.bodies[index(node.body)].mass;
   }
   count_turns();
 }
@@ -150,9 +99,8 @@ Trees::Trees(Model model) : model_(std::move(model)), count_(movable_end(model_.
 void Trees::hang(int body, const Joint* joint, int parent) {
   Node node;
   node.body = body, node.parent = parent, node.at = size_;
-  Quaternion above = Quaternion::Identity();
-  if (parent != fixed_world) above = motions_[index(parent)].orientation;
-  node.relative = above.conjugate() * motions_[index(body)].orientation;
+  node.above = parent == fixed_world ? motions_.size() - 1 : index(parent);
+  node.relative = motions_[node.above].orientation.conjugate() * motions_[index(body)].orientation;
   if (!joint) {  // in space: its place and its orientation
     node.anchor = node.parent_anchor = Vector3::Zero();
     node.directions = {Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()};
@@ -187,9 +135,6 @@ void Trees::hang(int body, const Joint* joint, int parent) {
 
 // An angle of a law is that of its joint, counted from the start, on the side of the law.
 void Trees::count_turns() {
-  const auto orientation = [&](int body) {
-    return body == fixed_world ? Quaternion(Quaternion::Identity()) : motions_[index(body)].orientation;
-  };
   for (std::size_t k = 0; k < model_.forces.coordinate_laws.size(); ++k) {
     const CoordinateLaw& law = model_.forces.coordinate_laws[k];
     if (!law.counts_turns()) continue;
@@ -197,11 +142,12 @@ void Trees::count_turns() {
       const bool from_body = node.body == law.at.body && node.parent == law.at.to;
       if (node.angles == 0 || !(from_body || (node.body == law.at.to && node.parent == law.at.body)))
         continue;
-      const int carrier = law.at.on_body ? law.at.body : law.at.to;
-      const bool second = node.angles > 1 && carrier == node.body;
-      const Vector3 ours = second ? Vector3(orientation(node.body) * node.second_axis)
-                                  : Vector3(orientation(node.parent) * node.first);
-      const Real along = ours.dot(orientation(carrier) * law.at.axis);
+      const bool carried = (law.at.on_body ? law.at.body : law.at.to) == node.body,
+                 second = node.angles > 1 && carried;
+      const Matrix3 &below = kinematics_[index(node.body)].rotation,
+                    &above = kinematics_[node.above].rotation;
+      const Vector3 ours = second ? Vector3(below * node.second_axis) : Vector3(above * node.first);
+      const Real along = ours.dot((carried ? below : above) * law.at.axis);
       counted_.push_back({k, node.at + static_cast<std::size_t>(node.slides) + (second ? 1 : 0),
                           (along > 0) == from_body ? Real(1) : Real(-1), law.at.near});
     }
@@ -213,52 +159,52 @@ void Trees::read_turns(const Real* y, std::vector<Real>& turns) const {
   for (const Counted& one : counted_) turns[one.law] = one.start + one.sign * y[one.at];
 }
 
-// The coordinates of the model's motions.
+// The direction of a displacement, as who carries it turns.
+Vector3 Trees::direction(const Node& node, int i, const Kinematics* kinematics) const {
+  const Vector3& d = node.directions[static_cast<std::size_t>(i)];
+  if (node.child_slides) return -(kinematics[index(node.body)].rotation * d);
+  return kinematics[node.above].rotation * d;
+}
+
+// Of a tree in space: sum m x and sum m v.
+Trees::Sums Trees::sums_of(const Node& root, const Motion* motions) const {
+  Sums sums;
+  for (const Node* node = &root; node != &root + root.members; ++node) {
+    const Motion& motion = motions[index(node->body)];
+    sums.places += model_.bodies[index(node->body)].mass * motion.position, sums.momentum += motion.momentum;
+  }
+  return sums;
+}
+
+// The coordinates of the model's motions; requires that nothing was evaluated before.
 std::vector<Real> Trees::initial() const {
   std::vector<Real> y(size_, 0);
   for (const Node& node : nodes_) {
-    const Body& body = model_.bodies[index(node.body)];
-    const Motion& m = model_.motions[index(node.body)];
-    const Vector3 v = velocity(body, m), w = engine::angular_velocity(body, m);
-    Quaternion above = Quaternion::Identity();
-    Vector3 held = node.parent_anchor, v_above = Vector3::Zero(), w_above = Vector3::Zero(),
-            centre = Vector3::Zero();
-    if (node.parent != fixed_world) {
-      const Body& parent = model_.bodies[index(node.parent)];
-      const Motion& p = model_.motions[index(node.parent)];
-      above = p.orientation, centre = p.position;
-      held = p.position + p.orientation * node.parent_anchor;
-      v_above = velocity(parent, p), w_above = engine::angular_velocity(parent, p);
-    }
-    const Vector3 mine = m.position + m.orientation * node.anchor, pivot = node.child_slides ? held : mine;
-    const Vector3 slip = v - v_above - w_above.cross(pivot - centre) - w.cross(m.position - pivot);
+    const Motion& m = motions_[index(node.body)];
+    const Kinematics &k = kinematics_[index(node.body)], &above = kinematics_[node.above];
+    const Vector3 centre = motions_[node.above].position, held = centre + above.rotation * node.parent_anchor;
+    const Vector3 mine = m.position + k.rotation * node.anchor, pivot = node.child_slides ? held : mine;
+    const Vector3 slip = k.velocity - above.velocity - above.angular_velocity.cross(pivot - centre) -
+                         k.angular_velocity.cross(m.position - pivot),
+                  spin = k.angular_velocity - above.angular_velocity;
     Real* q = y.data() + node.at;
     Real* rate = y.data() + node.rates_at();
-    for (const Vector3& direction : node.directions) {
-      const Vector3 d =
-          node.child_slides ? Vector3(-(m.orientation * direction)) : Vector3(above * direction);
+    for (int i = 0; i < node.slides; ++i) {
+      const Vector3 d = direction(node, i, kinematics_.data());
       *q++ = d.dot(mine - held), *rate++ = d.dot(slip);
     }
     if (node.turns == Turns::freely) {
       std::copy_n(m.orientation.coeffs().data(), 4, q);
-      std::copy_n(w.data(), 3, rate);
-    } else {
-      if (node.angles > 0) *rate++ = (above * node.first).dot(w - w_above);
-      if (node.angles > 1) *rate++ = (m.orientation * node.second_axis).dot(w - w_above);
+      std::copy_n(k.angular_velocity.data(), 3, rate);
     }
-  }
-  for (const Node& root : nodes_) {
-    Real mass = 0;
-    Vector3 place = Vector3::Zero(), momentum = Vector3::Zero();
-    for (const Node* node = &root; node != &root + root.members; ++node) {
-      const Real m = model_.bodies[index(node->body)].mass;
-      const Motion& motion = model_.motions[index(node->body)];
-      mass += m, place += m * motion.position, momentum += motion.momentum;
+    if (node.angles > 0) *rate++ = (above.rotation * node.first).dot(spin);
+    if (node.angles > 1) *rate++ = (k.rotation * node.second_axis).dot(spin);
+    if (node.members < 2) continue;
+    const Sums sums = sums_of(node, motions_.data());
+    for (int i = 0; i < 3; ++i) {
+      y[node.at + index(i)] = sums.places[i] / node.mass;
+      y[node.rates_at() + index(i)] = sums.momentum[i] / node.mass;
     }
-    if (root.members < 2) continue;
-    const Vector3 centre = place / mass, speed = momentum / mass;
-    std::copy_n(centre.data(), 3, y.data() + root.at);
-    std::copy_n(speed.data(), 3, y.data() + root.rates_at());
   }
   return y;
 }
@@ -270,13 +216,8 @@ void Trees::place(const Node& node, const Real* y, Motion* motions, Kinematics* 
   const Body& body = model_.bodies[index(node.body)];
   Motion& m = motions[index(node.body)];
   Kinematics& k = kinematics[index(node.body)];
-  const bool held_by_body = node.parent != fixed_world;
-  const Kinematics* parent = held_by_body ? &kinematics[index(node.parent)] : nullptr;
-  const Vector3 held =
-      held_by_body ? Vector3(motions[index(node.parent)].position + parent->rotation * node.parent_anchor)
-                   : node.parent_anchor;
-  const Vector3 w_above = held_by_body ? parent->angular_velocity : Vector3(Vector3::Zero());
-  Vector3 v = held_by_body ? parent->velocity : Vector3(Vector3::Zero());
+  const Kinematics& above = kinematics[node.above];
+  const Vector3 centre = motions[node.above].position, held = centre + above.rotation * node.parent_anchor;
   const Real* q = y + node.at + node.slides;
   const Real* rate = y + node.rates_at() + node.slides;
   if (node.turns == Turns::freely) {
@@ -287,46 +228,33 @@ void Trees::place(const Node& node, const Real* y, Motion* motions, Kinematics* 
     Quaternion turn = node.relative;
     if (node.angles > 1) turn = exponential(q[1] * node.second) * turn;
     if (node.angles > 0) turn = exponential(q[0] * node.first) * turn;
-    if (held_by_body) turn = motions[index(node.parent)].orientation * turn;
-    m.orientation = renormalised(turn);
+    m.orientation = renormalised(motions[node.above].orientation * turn);
     k.rotation = rotation_matrix(m.orientation);
-    k.angular_velocity = w_above;
-    if (node.angles > 0)
-      k.angular_velocity += rate[0] * (held_by_body ? Vector3(parent->rotation * node.first) : node.first);
+    k.angular_velocity = above.angular_velocity;
+    if (node.angles > 0) k.angular_velocity += rate[0] * (above.rotation * node.first);
     if (node.angles > 1) k.angular_velocity += rate[1] * (k.rotation * node.second_axis);
   }
   Vector3 slid = Vector3::Zero(), slip = Vector3::Zero();
   for (int i = 0; i < node.slides; ++i) {
-    const Vector3& direction = node.directions[static_cast<std::size_t>(i)];
-    const Vector3 d = node.child_slides ? Vector3(-(k.rotation * direction))
-                      : held_by_body    ? Vector3(parent->rotation * direction)
-                                        : direction;
-    slid += y[node.at + static_cast<std::size_t>(i)] * d;
-    slip += y[node.rates_at() + static_cast<std::size_t>(i)] * d;
+    const Vector3 d = direction(node, i, kinematics);
+    slid += y[node.at + index(i)] * d;
+    slip += y[node.rates_at() + index(i)] * d;
   }
   m.position = held + slid - k.rotation * node.anchor;
   const Vector3 pivot = node.child_slides ? held : Vector3(held + slid);
-  if (held_by_body) v += w_above.cross(pivot - motions[index(node.parent)].position);
-  v += slip + k.angular_velocity.cross(m.position - pivot);
-  k.velocity = v;
-  m.momentum = body.mass * v;
+  k.velocity = above.velocity + above.angular_velocity.cross(pivot - centre) + slip +
+               k.angular_velocity.cross(m.position - pivot);
+  m.momentum = body.mass * k.velocity;
   m.angular_momentum = k.rotation * (body.inertia * (k.rotation.transpose() * k.angular_velocity));
 }
 
 // The root was placed at the centre of mass, and moved with it.
 void Trees::move_to_centre(const Node& root, const Real* y, Motion* motions, Kinematics* kinematics) const {
-  const Node* const end = &root + root.members;
-  Real mass = 0;
-  Vector3 place = Vector3::Zero(), momentum = Vector3::Zero();
-  for (const Node* node = &root; node != end; ++node) {
-    const Real m = model_.bodies[index(node->body)].mass;
-    mass += m, place += m * motions[index(node->body)].position,
-        momentum += motions[index(node->body)].momentum;
-  }
   const Real *q = y + root.at, *rate = y + root.rates_at();
-  const Vector3 shift = Vector3(q[0], q[1], q[2]) - place / mass,
-                push = Vector3(rate[0], rate[1], rate[2]) - momentum / mass;
-  for (const Node* node = &root; node != end; ++node) {
+  const Sums sums = sums_of(root, motions);
+  const Vector3 shift = Vector3(q[0], q[1], q[2]) - sums.places / root.mass,
+                push = Vector3(rate[0], rate[1], rate[2]) - sums.momentum / root.mass;
+  for (const Node* node = &root; node != &root + root.members; ++node) {
     const std::size_t i = index(node->body);
     motions[i].position += shift;
     motions[i].momentum += model_.bodies[i].mass * push;
@@ -341,7 +269,7 @@ void Trees::place_all(const Real* y, Motion* motions, Kinematics* kinematics) co
 }
 
 void Trees::read(const Real* y, std::vector<Motion>& motions) const {
-  motions = model_.motions;
+  motions = motions_;
   std::vector<Kinematics> kinematics = kinematics_;
   place_all(y, motions.data(), kinematics.data());
 }
@@ -351,60 +279,42 @@ void Trees::read(const Real* y, std::vector<Motion>& motions) const {
 // And of the parent:  a = a_p + alpha_p x (c - c_p) + w_p x (v - v_p).
 void Trees::find_space(const Node& node, const Real* y) {
   Articulated& a = articulated_[index(node.body)];
-  const Motion& m = motions_[index(node.body)];
-  const Kinematics& k = kinematics_[index(node.body)];
-  const bool held_by_body = node.parent != fixed_world;
-  Vector3 w_above = Vector3::Zero(), v_above = Vector3::Zero(), centre = Vector3::Zero(),
-          held = node.parent_anchor;
-  if (held_by_body) {
-    const Kinematics& parent = kinematics_[index(node.parent)];
-    w_above = parent.angular_velocity, v_above = parent.velocity,
-    centre = motions_[index(node.parent)].position;
-    held = centre + parent.rotation * node.parent_anchor;
-  }
   if (node.members > 0) {  // in space: along and about the axes of the world through its own centre
     a.space.setZero();
     a.space.topRightCorner<3, 3>().setIdentity(), a.space.bottomLeftCorner<3, 3>().setIdentity();
     a.change.setZero(), a.shift.setZero();
     return;
   }
-  a.shift = held_by_body ? Vector3(m.position - centre) : Vector3(Vector3::Zero());
-  Vector3 turned = Vector3::Zero();  // of the change: alpha
-  Vector3 carried = held_by_body ? Vector3(w_above.cross(k.velocity - v_above)) : Vector3(Vector3::Zero());
-  const Vector3 pivot = node.child_slides ? held : Vector3(m.position + k.rotation * node.anchor);
+  const Motion& m = motions_[index(node.body)];
+  const Kinematics &k = kinematics_[index(node.body)], &above = kinematics_[node.above];
+  const Vector3 centre = motions_[node.above].position, w_above = above.angular_velocity;
+  const Vector3 pivot = node.child_slides ? Vector3(centre + above.rotation * node.parent_anchor)
+                                          : Vector3(m.position + k.rotation * node.anchor);
   const Vector3 r = m.position - pivot;
-  Vector3 slip = Vector3::Zero();
+  a.shift = m.position - centre;
+  Vector3 turned = Vector3::Zero();  // of the change: alpha, then a
+  Vector3 carried = w_above.cross(k.velocity - above.velocity);
+  Vector3 r_rate = k.velocity - above.velocity - w_above.cross(pivot - centre);
   const Real* rate = y + node.rates_at();
   int column = 0;
   for (; column < node.slides; ++column) {
-    const Vector3& direction = node.directions[static_cast<std::size_t>(column)];
-    const Vector3 d = node.child_slides ? Vector3(-(k.rotation * direction))
-                      : held_by_body    ? Vector3(kinematics_[index(node.parent)].rotation * direction)
-                                        : direction;
+    const Vector3 d = direction(node, column, kinematics_.data());
     set(a.space, column, Vector3::Zero(), d);
     carried += rate[column] * (node.child_slides ? k.angular_velocity : w_above).cross(d);
-    slip += rate[column] * d;
+    if (!node.child_slides) r_rate -= rate[column] * d;
   }
-  Vector3 r_rate = k.velocity - v_above - w_above.cross(pivot - centre);
-  if (!node.child_slides) r_rate -= slip;
   const auto turn_about = [&](const Vector3& e) { set(a.space, column++, e, e.cross(r)); };
+  const auto turn_at_rate = [&](const Vector3& e, const Vector3& w_carrier) {
+    const Vector3 change = rate[column] * w_carrier.cross(e);
+    turned += change, carried += change.cross(r) + rate[column] * e.cross(r_rate);
+    turn_about(e);
+  };
   if (node.turns == Turns::freely) {
     for (int i = 0; i < 3; ++i) turn_about(Vector3::Unit(i));
     carried += (k.angular_velocity - w_above).cross(r_rate);
   }
-  if (node.angles > 0) {
-    const Vector3 e =
-        held_by_body ? Vector3(kinematics_[index(node.parent)].rotation * node.first) : node.first;
-    const Vector3 change = rate[column] * w_above.cross(e);
-    turned += change, carried += change.cross(r) + rate[column] * e.cross(r_rate);
-    turn_about(e);
-  }
-  if (node.angles > 1) {
-    const Vector3 e = k.rotation * node.second_axis;
-    const Vector3 change = rate[column] * k.angular_velocity.cross(e);
-    turned += change, carried += change.cross(r) + rate[column] * e.cross(r_rate);
-    turn_about(e);
-  }
+  if (node.angles > 0) turn_at_rate(above.rotation * node.first, w_above);
+  if (node.angles > 1) turn_at_rate(k.rotation * node.second_axis, k.angular_velocity);
   set(a.change, 0, turned, carried);
 }
 
@@ -424,7 +334,7 @@ void Trees::lean(const Node& node, Articulated& a) {
   a.force.template leftCols<N>() = force;
   a.inverse.template topLeftCorner<N, N>() = inverse;
   a.push.template head<N>() = push;
-  if (!moves(model_, node.parent)) return;
+  if (!model_.moves(node.parent)) return;
   const Eigen::Matrix<Real, 6, N> share = force * inverse;
   a.inertia -= share * force.transpose();
   a.bias += a.inertia * a.change + share * push;
@@ -475,7 +385,7 @@ void Trees::rates(Time t, const Real* y, Real* rate) {
       with_size(node.freedoms, [&]<int N>() { lean<N>(node, a); });
     else
       a.bias += a.inertia * a.change;
-    if (!moves(model_, node.parent)) continue;
+    if (!model_.moves(node.parent)) continue;
     Articulated& parent = articulated_[index(node.parent)];
     const Matrix3 d = cross_matrix(a.shift);
     const auto turns = a.inertia.topLeftCorner<3, 3>(), mixed = a.inertia.topRightCorner<3, 3>(),
@@ -492,7 +402,7 @@ void Trees::rates(Time t, const Real* y, Real* rate) {
   for (const Node& node : nodes_) {
     Articulated& a = articulated_[index(node.body)];
     Vector6 parent = Vector6::Zero();
-    if (moves(model_, node.parent)) {
+    if (model_.moves(node.parent)) {
       parent = articulated_[index(node.parent)].acceleration;
       parent.tail<3>() += parent.head<3>().cross(a.shift);
     }
@@ -504,11 +414,10 @@ void Trees::rates(Time t, const Real* y, Real* rate) {
   // What the bodies do to each other cancels.
   for (const Node& root : nodes_) {
     if (root.members < 2) continue;
-    Real mass = 0;
     Vector3 force = Vector3::Zero();
     for (const Node* node = &root; node != &root + root.members; ++node)
-      mass += model_.bodies[index(node->body)].mass, force += loads_[index(node->body)].force;
-    for (int i = 0; i < 3; ++i) rate[root.rates_at() + static_cast<std::size_t>(i)] = force[i] / mass;
+      force += loads_[index(node->body)].force;
+    for (int i = 0; i < 3; ++i) rate[root.rates_at() + index(i)] = force[i] / root.mass;
   }
 }
 

@@ -40,7 +40,7 @@ class Trees {
   Time next_kink(Time t) const { return model_.forces.next_kink(t); }
   void start_piece(Time t) { model_.forces.start_piece(t); }
 
-  /// The motions of all bodies in a state.
+  /// The motions of all bodies in a state, then that of the world.
   void read(const Real* y, std::vector<Motion>& motions) const;
   void read_turns(const Real* y, std::vector<Real>& turns) const;
 
@@ -54,6 +54,7 @@ class Trees {
   // A body and the joint by which it hangs from its parent.
   struct Node {
     int body = 0, parent = fixed_world;  // the parent may be locked
+    std::size_t above = 0;               // where the parent's motion is; the world's is the last
     Vector3 anchor, parent_anchor;       // axes of the body and of the parent, or the world
     bool child_slides = false;           // whether the body carries the directions, not the parent
     std::vector<Vector3> directions;     // of displacements, axes of who carries them
@@ -63,6 +64,7 @@ class Trees {
     Quaternion relative;      // body to parent, at angles 0
     std::size_t at = 0;       // in y
     std::size_t members = 0;  // of the tree that begins here and hangs from nothing; else 0
+    Real mass = 0;            // of that tree
     int slides = 0, angles = 0, freedoms = 0;
     std::size_t rates_at() const { return at + coordinates(); }
     std::size_t coordinates() const {
@@ -81,6 +83,11 @@ class Trees {
   void hang(int body, const Joint*, int parent);
   void count_turns();
   void place(const Node&, const Real* y, Motion*, Kinematics*) const;
+  struct Sums {
+    Vector3 places = Vector3::Zero(), momentum = Vector3::Zero();
+  };
+  Vector3 direction(const Node&, int, const Kinematics*) const;
+  Sums sums_of(const Node& root, const Motion*) const;
   void move_to_centre(const Node& root, const Real* y, Motion*, Kinematics*) const;
   void place_all(const Real* y, Motion*, Kinematics*) const;
   void find_space(const Node&, const Real* y);

@@ -40,6 +40,14 @@ inline constexpr Real pi = std::numbers::pi_v<Real>;
 /// Whether a Real has the digits of double, for bounds that were measured in each of the two.
 inline constexpr bool is_double = sizeof(Real) == 8;
 
+/// The matrix of  x -> r x x.
+template <class Scalar>
+Eigen::Matrix<Scalar, 3, 3> cross_matrix(const Eigen::Matrix<Scalar, 3, 1>& r) {
+  Eigen::Matrix<Scalar, 3, 3> m;
+  m << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
+  return m;
+}
+
 /// The number of a body or a row, as containers want it.
 constexpr std::size_t index(int i) { return static_cast<std::size_t>(i); }
 

@@ -13,8 +13,6 @@ namespace {
 
 constexpr Real slack = Real(1.01);
 
-bool moves(const Model& model, int body) { return body != fixed_world && !model.bodies[index(body)].locked; }
-
 // Calls visit(bodies) for each joint, and for each force that does not act on every body.
 template <class Visit>
 void each_tie(const Model& model, Visit visit) {
@@ -32,7 +30,7 @@ std::vector<Cluster> find_clusters(const Model& model) {
   each_tie(model, [&](const Acted& tied) {
     int first = fixed_world;
     for (const int body : tied) {
-      if (!moves(model, body)) continue;
+      if (!model.moves(body)) continue;
       if (first != fixed_world) unions.join(index(first), index(body));
       first = body;
     }
@@ -48,11 +46,11 @@ std::vector<Cluster> find_clusters(const Model& model) {
   }
   // The cluster on which something acts; it keeps the locked bodies.
   const auto owner = [&](const Acted& tied) -> Cluster* {
-    const auto mover = std::ranges::find_if(tied, [&](int body) { return moves(model, body); });
+    const auto mover = std::ranges::find_if(tied, [&](int body) { return model.moves(body); });
     if (mover == tied.end()) return nullptr;
     Cluster& cluster = clusters[cluster_of[index(*mover)]];
     for (const int body : tied)
-      if (body != fixed_world && !moves(model, body)) cluster.holders.push_back(body);
+      if (body != fixed_world && !model.moves(body)) cluster.holders.push_back(body);
     return &cluster;
   };
   for (std::size_t k = 0; k < model.joints.size(); ++k)
@@ -98,9 +96,9 @@ std::vector<std::optional<Ball>> find_bounds(const Model& model) {
   for (const Joint& joint : model.joints) {
     if (joint.type.place != Joint::Place::together && joint.type.place != Joint::Place::at_length) continue;
     const auto side = [&](int body, const Vector3& anchor, int to, const Vector3& to_anchor) {
-      if (!moves(model, body)) return;
+      if (!model.moves(body)) return;
       const Real arm = anchor.norm() + joint.length;
-      if (moves(model, to)) {
+      if (model.moves(to)) {
         links[index(to)].push_back({body, arm + to_anchor.norm()});
       } else {
         const Vector3 place = to == fixed_world ? to_anchor

@@ -21,12 +21,6 @@ constexpr double stiffest = 1e8;
 constexpr int most_newton_steps = 200;
 constexpr double double_epsilon = std::numeric_limits<double>::epsilon();
 
-Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& r) {
-  Eigen::Matrix3d m;
-  m << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
-  return m;
-}
-
 // The inverse of a matrix that may be singular: what it cannot move becomes very heavy.  Only a
 // preconditioner; the velocities are always those that the impulses give.
 Eigen::Matrix3d heavy_inverse(const Eigen::Matrix3d& inverse) {
