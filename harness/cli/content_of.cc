@@ -1,7 +1,7 @@
 #include "harness/cli/content_of.h"
 
 #include "harness/core/content_hash.h"
-#include "harness/core/whole_file.h"
+#include "harness/core/files.h"
 #include "harness/study/modules.h"
 
 #include <algorithm>
@@ -22,11 +22,8 @@ constexpr std::string_view between("\0", 1);
 // system are those of the machine, and a stored answer may come from another (study::content_hash counts them).
 std::vector<fs::path> own_libraries(const fs::path& program, std::string_view bytes) {
   std::vector<fs::path> found;
-  std::error_code error, ignored;
-  const fs::directory_iterator entries(program.parent_path(), error);
-  if (error == std::errc::not_enough_memory || error == std::errc::too_many_files_open)
-    throw std::system_error(error);
-  for (const fs::directory_entry& entry : entries)
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : core::entries_of(program.parent_path()))
     if (entry.path().extension() == ".so" && entry.is_regular_file(ignored) &&
         bytes.find(entry.path().filename().string()) != std::string_view::npos)
       found.push_back(entry.path());
@@ -35,9 +32,7 @@ std::vector<fs::path> own_libraries(const fs::path& program, std::string_view by
 }
 
 void add_file(core::ContentHash& content, const std::string& word) {
-  std::error_code ignored;
-  const fs::path file =
-      fs::canonical(word, ignored);  // a worker may be a link to that of all engines of its kind
+  const fs::path file = fs::canonical(word);  // a worker may be a link to that of all engines of its kind
   const std::string bytes = core::whole_file(file);
   content.add(bytes);
   std::vector<fs::path> others = own_libraries(file, bytes);

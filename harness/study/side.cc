@@ -1,6 +1,6 @@
 #include "harness/study/side.h"
 
-#include "harness/core/whole_file.h"
+#include "harness/core/files.h"
 #include "harness/process/child.h"
 #include "harness/seal/sha256.h"
 #include "harness/study/modules.h"
