@@ -198,6 +198,25 @@ TEST(Trees, InSpaceKeepTheirMomentum) {
   }
 }
 
+// Of random mixes of features those that are trees, by auto.
+TEST(Trees, OfMixesMoveAsConstraintsDo) {
+  int trees_met = 0;
+  for (std::uint32_t number = 0; number < 4000; ++number) {
+    const Model model = mixed_scene(number).model;
+    Options coordinates = with("auto", 0.05), constraints = coordinates;
+    constraints.constraints = true;
+    if (model.joints.empty() || !unsupported(model, constraints).empty()) continue;
+    if (make_plan(model, coordinates).path != Path::bodies ||
+        !Trees::applies(model, coordinates, *find_integrator("dop853")))
+      continue;
+    ++trees_met;
+    EXPECT_LT(apart(model.bodies, run(model, coordinates, 20).motions, run(model, constraints, 20).motions),
+              1e-8)
+        << number;
+  }
+  EXPECT_GT(trees_met, 20);
+}
+
 // Several trees, and bodies on no joint, stand beside each other.
 TEST(Trees, ManyMoveAsEachAlone) {
   Model all = forced_tree(3);
