@@ -157,7 +157,10 @@ std::vector<Row> measure(const std::string& name, const core::Scene& scene, cons
       fmt::print("{:>8}  {:<42} 1/{:<5} {:>10.3f} {:>12.1f} {:>10.1e}\n", name, id, rate,
                  1e6 * row.second / rate / links, 1e6 * row.second / links, row.error);
       rows.push_back(row);
-      if (recording->cpu_seconds > longest) break;
+      if (recording->cpu_seconds > longest) {
+        fmt::print("{:>8}  {:<42} finer steps take longer than {} s and are left out\n", name, id, longest);
+        break;
+      }
     }
   return rows;
 }

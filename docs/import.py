@@ -204,6 +204,9 @@ def main():
     else:
         print("no corpus here: name its folder, or set CYLON_CORPUS", file=sys.stderr)
         return 77
+    runs = [run for result in results for run in result.get("runs", {}).values()]
+    if runs and all(run[0] in ("no report", "nothing moves") for run in runs):
+        sys.exit(f"no engine reported anything: {runs[0][1] if len(runs[0]) > 1 else ''}")
     text = page.read_text(encoding="utf-8")
     text = replace(text, "corpus", what_became(results))
     text = replace(text, "reasons", why_refused(results))

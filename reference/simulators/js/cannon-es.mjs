@@ -13,7 +13,7 @@ export const about = {
   schemes: [{name: 'semi-implicit-euler', order: 1, conserves: 'linear momentum', adaptive: false}],
   gyroscopic: () => 'none',
   joints: {types: ['ball', 'hinge', 'fixed', 'distance'], limits: [],
-    friction: [], bounces: false},
+    friction: []},
   of_the_scene: [
     {name: 'mass, inertia', value: 'of the scene', engine_default: 'that of the bounding box, a sphere\'s too',
       reason: 'the scene has its own: mass, inertia and their inverses, in principal axes'},

@@ -17,7 +17,7 @@ export const about = {
   schemes: [{name: 'semi-implicit-euler', order: 1, conserves: 'linear momentum', adaptive: false}],
   gyroscopic: () => 'none',
   joints: {types: ['ball', 'hinge', 'fixed', 'slider', 'cylindrical', 'planar', 'universal'], limits: ['hinge', 'slider'],
-    friction: ['hinge', 'slider'], bounces: false,
+    friction: ['hinge', 'slider'],
     why: {distance: 'Havok takes no limit of LINEAR_DISTANCE (HP_Constraint_SetAxisMode answers RESULT_INVALIDARGS): it keeps no distance.'}},
   of_the_scene: [
     {name: 'mass, inertia', value: 'of the scene, rounded', engine_default: 'of the shape and its density',

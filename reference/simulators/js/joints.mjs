@@ -50,8 +50,8 @@ export function reversed(c) {
     target_values: c.target_values?.map(less), lower: less(c.upper), upper: less(c.lower)};
 }
 
-/** The words of the protocol for what an engine has: {types, limits, friction: kinds of joints, bounces, counts_turns: of
- *  limits, why: reasons by kind}. */
+/** The words of the protocol for what an engine has: {types, limits, friction: kinds of joints, counts_turns: of limits,
+ *  why: reasons by kind}. */
 export const known_joints = ({types, limits, friction}) => [
   ...['slider', 'cylindrical', 'planar', 'universal', 'screw'].filter((type) => types.includes(type)).map((type) => `${type}_joints`),
   'joint_forces', 'joint_targets', ...(limits.length ? ['joint_limits'] : []), ...(friction.length ? ['joint_friction'] : [])];
@@ -64,7 +64,7 @@ export function require_joints({title, joints: can}, scene) {
     if (!can.types.includes(joint.type)) throw new Unsupported(can.why?.[joint.type] ?? `This adapter gives ${title} no ${joint.type} joint.`);
     const of = `The ${joint.type} joint of '${scene.bodies[joint.body].name}'`;
     for (const {slides, acts} of acting(joint)) {
-      if (has_limit(acts) && acts.restitution > 0 && !can.bounces)
+      if (has_limit(acts) && acts.restitution > 0)  // none of them has it
         throw new Unsupported(`${of} bounces from its limits by ${acts.restitution}, and ${title} has no restitution of limits.`);
       if (has_limit(acts) && !can.limits.includes(joint.type))
         throw new Unsupported(`${of} has limits, which this adapter gives ${title} for ${can.limits.join(' and ')} joints alone.`);

@@ -14,7 +14,7 @@ export const about = {
   schemes: [{name: 'semi-implicit-euler', order: 1, conserves: 'linear momentum', adaptive: false}],
   gyroscopic: (values) => (values.gyro === 'on' ? 'explicit, of constant |L|' : 'none'),
   joints: {types: ['ball', 'hinge', 'fixed', 'distance', 'slider', 'cylindrical', 'planar', 'universal'], limits: ['hinge', 'slider'],
-    friction: ['hinge', 'slider'], bounces: false},
+    friction: ['hinge', 'slider']},
   of_the_scene: [
     {name: 'mass, inertia', value: 'of the scene', engine_default: 'of the shape and its density', reason: 'the scene has its own'},
     {name: 'mCombinedRestitution, mCombinedFriction', value: 'of the pair', engine_default: 'the larger; the geometric mean',

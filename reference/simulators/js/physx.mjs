@@ -16,7 +16,7 @@ export const about = {
   schemes: [{name: 'semi-implicit-euler', order: 1, conserves: 'linear momentum', adaptive: false}],
   gyroscopic: (values) => (values.gyro === 'on' ? 'explicit, of constant |L|' : 'none'),
   joints: {types: ['ball', 'hinge', 'fixed', 'distance', 'slider', 'cylindrical', 'planar', 'universal'], limits: ['hinge', 'slider'],
-    friction: ['hinge', 'slider'], bounces: false},
+    friction: ['hinge', 'slider']},
   of_the_scene: [
     {name: 'mass, inertia', value: 'of the scene', engine_default: 'of the shape and its density', reason: 'the scene has its own'},
     {name: 'restitution, friction', value: 'of the pair', engine_default: 'averages',
@@ -30,7 +30,6 @@ export const about = {
     'A bounce acts from a gap on that the step would close (at most twice contact-offset), in the step before the touch.',
     'Friction is that of patches: points of contact nearer than 2.5 cm share one (frictionCorrelationDistance), and act from a gap of 4 cm on (frictionOffsetThreshold).',
     'One number of restitution and one of friction for each shape, combined by a rule: not every table of pairs can be had.',
-    'The restitution of a limit of a joint does nothing: a body stops there (PxJointLimitParameters, measured with 0.2 to 1).',
     'A step runs on one thread; the build has no others.',
     'This adapter tells no forces of contacts and joints.',
   ],

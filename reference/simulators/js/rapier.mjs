@@ -10,7 +10,7 @@ export const about = {
   schemes: [{name: 'semi-implicit-euler', order: 1, conserves: 'linear momentum', adaptive: false}],
   gyroscopic: () => 'explicit, of constant |L|, in each substep',
   joints: {types: ['ball', 'hinge', 'fixed', 'slider', 'cylindrical', 'planar'], limits: ['hinge', 'slider'],
-    friction: ['hinge', 'slider'], bounces: false,
+    friction: ['hinge', 'slider'],
     why: {distance: 'Rapier has no rigid joint of type distance.'}},
   of_the_scene: [
     {name: 'mass, inertia', value: 'of the scene', engine_default: 'of the colliders and their density',
