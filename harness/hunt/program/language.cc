@@ -132,10 +132,11 @@ std::string without_unused(std::string text, std::string_view helpers) {
   return text;
 }
 
-extern const Dialect ode, bullet, rapier;
+extern const Dialect bullet, ode, jolt, rapier, mujoco3, havok, physx, crashcat, cannon;
 
 std::span<const Dialect* const> dialects() {
-  static constexpr std::array all = {&ode, &bullet, &rapier};
+  static constexpr std::array all = {&bullet, &ode,   &jolt,     &rapier, &mujoco3,
+                                     &havok,  &physx, &crashcat, &cannon};
   return all;
 }
 

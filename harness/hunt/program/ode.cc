@@ -108,6 +108,7 @@ constexpr SettingRow settings[] = {
     {"contacts", "", Where::program, ""},
     {"contact_surface_layer", "", Where::world, "  dWorldSetContactSurfaceLayer(world, ${value});\n"},
     {"springs, drag*", "", Where::program, ""},
+    {"stop_erp", "", Where::program, ""},  // a card with stops has no program
     {"broad_phase", "", Where::program, ""},
     {"threading", "", Where::program, ""},
 };

@@ -128,6 +128,7 @@ class Writer {
   // ---- The rows --------------------------------------------------------------------------------------------------
 
   void settings() {
+    words_["integrator"] = terms_.integrator;
     for (const char* word : {"world_settings", "body_settings", "shape_settings"}) words_[word];
     for (const core::Setting& setting : terms_.settings) {
       words_[setting.name] = setting.value;

@@ -48,6 +48,17 @@ void require_expressible(const std::vector<Scene>& takes) {
 
 namespace {
 
+// As the adapters in Node turn y to a normal: x is across it and the axis to which it is least inclined.
+core::Quaternion turn_of_y(const Vector3& normal) {
+  if (normal == Vector3::UnitY()) return core::Quaternion::Identity();
+  Eigen::Index least = 0;
+  normal.cwiseAbs().minCoeff(&least);
+  const Vector3 x = normal.cross(Vector3(Vector3::Unit(least))).normalized();
+  core::Matrix3 turned;
+  turned << x, normal, x.cross(normal);
+  return core::Quaternion(turned);
+}
+
 class Saying : private Numbers {
  public:
   Saying(const std::vector<Scene>& takes, const Dialect& dialect, Words& words)
@@ -55,6 +66,9 @@ class Saying : private Numbers {
 
   void scene() {
     const Scene& scene = takes_[0];
+    // A setting of an engine may have one of these names.
+    for (const char* part : {"shapes", "planes", "joints", "gaps", "forces", "potential"})
+      words_[part].clear();
     words_["count"] = std::to_string(scene.bodies.size());
     words_["bodies"] = list(scene.bodies, [&](const core::Body& b) { return body(b); });
     words_["starts"] = list(takes_, [&](const Scene& take) {
@@ -70,9 +84,7 @@ class Saying : private Numbers {
       if (touches) words["shape"] = shape_text(body.shape);
       words_["shapes"] += filled(touches ? dialect_.body_shape : dialect_.no_shape, words);
     }
-    words_["planes"];
     for (std::size_t p = 0; p < scene.planes.size(); ++p) plane(p);
-    words_["joints"], words_["gaps"];
     for (std::size_t j = 0; j < scene.joints.size(); ++j) joint(j);
     forces();
   }
@@ -108,7 +120,9 @@ class Saying : private Numbers {
                    {"normal_vector", vector(plane.normal)},
                    {"offset", number(plane.offset)},
                    {"foot", vector(Vector3(plane.offset * plane.normal))},
-                   {"turn_of_y", vector(core::turn_between(Vector3::UnitY(), plane.normal))}};
+                   {"turn_of_x", vector(core::turn_between(Vector3::UnitX(), plane.normal))},
+                   {"turn_of_y", vector(turn_of_y(plane.normal))},
+                   {"turn_of_z", vector(core::turn_between(Vector3::UnitZ(), plane.normal))}};
     };
     std::string& out = words_["planes"];
     if (takes_.size() == 1)
@@ -132,13 +146,19 @@ class Saying : private Numbers {
     const auto axis = [&](int body) {
       return vector(Vector3(takes_[0].bodies[at(body)].initial.orientation.conjugate() * joint.axis));
     };
+    // Whose x is the axis, and that in the axes of a body.
+    const core::Quaternion frame = core::turn_between(Vector3::UnitX(), joint.axis.normalized());
+    const auto turned = [&](int body) {
+      return vector(core::Quaternion(takes_[0].bodies[at(body)].initial.orientation.conjugate() * frame));
+    };
     Words words{{"a", std::to_string(joint.body)}, {"joint", fmt::format("joint{}", j)},
                 {"point", listed(joint.point)},    {"point_vector", vector(joint.point)},
                 {"axis", listed(joint.axis)},      {"axis_vector", vector(joint.axis)},
-                {"local_a", local(joint.body)},    {"axis_a", axis(joint.body)}};
+                {"local_a", local(joint.body)},    {"axis_a", axis(joint.body)},
+                {"frame", vector(frame)},          {"frame_a", turned(joint.body)}};
     if (joint.to != core::world)
       words["b"] = std::to_string(joint.to), words["local_b"] = local(joint.to),
-      words["axis_b"] = axis(joint.to);
+      words["axis_b"] = axis(joint.to), words["frame_b"] = turned(joint.to);
     words_["joints"] += filled(joint.to == core::world ? row->to_world : row->to_body, words);
     words["end"] = joint.to == core::world ? words["point_vector"]
                                            : filled("add(s[${b}].x, turn(s[${b}].q, ${local_b}))", words);

@@ -101,6 +101,19 @@ Trial falling_box() {
   return over_floor(trial, 0, 0.4);
 }
 
+Trial falling_solids() {
+  Trial trial{{}, 0.01, 60};
+  add(trial, core::Capsule{0.15, 0.4}, 1.3, {0, 0.6, 0}, {0.5, 0, 0.2}, {1, 2, 3}, true);
+  add(trial, core::Cylinder{0.2, 0.5}, 2.1, {0.9, 0.5, 0.1}, {-0.4, 0.4, 0.1}, {0.3, 0, 1}, true);
+  return over_floor(trial, 0, 0.4);
+}
+
+Trial two_fixed() {
+  Trial trial = pendulum();
+  trial.scene.joints[1].type = core::JointType::fixed;
+  return trial;
+}
+
 struct Case {
   const char* engine;
   const char* oracle;
@@ -112,7 +125,8 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.engine << ", " << c.o
 // energies of some hundred joules.
 double allowed(const Case& c, const Program& program, std::int64_t steps) {
   const double size = std::string(program.unit) == "J" ? 100 : 1;
-  const bool single = std::string(c.engine) == "rapier";
+  const std::string_view id = c.engine, engine = id.substr(0, id.find('/'));
+  const bool single = engine == "rapier" || engine == "jolt" || engine == "physx" || engine == "havok";
   return 1e-6 * program.prints + (single ? 6e-8 * size * static_cast<double>(steps) : 0);
 }
 
@@ -134,6 +148,33 @@ const Case cases[] = {
     {"rapier", "energy", springs},
     {"rapier", "penetration", falling_balls},
     {"rapier", "joint gap", pendulum},
+    {"jolt", "energy", springs},
+    {"jolt/path=as-shipped", "angular momentum", spinning_box},
+    {"jolt", "penetration", falling_balls},
+    {"jolt", "energy", falling_solids},
+    {"jolt", "joint gap", pendulum},
+    {"mujoco3", "energy", springs},
+    {"mujoco3/integrator=rk4", "angular momentum", spinning_box},
+    {"mujoco3", "penetration", falling_box},
+    {"mujoco3/cone=elliptic,solref-time=0.05", "energy", falling_solids},
+    {"havok/path=stand-in", "energy", springs},
+    {"havok/path=stand-in", "penetration", falling_box},
+    {"havok/path=stand-in", "energy", falling_solids},
+    {"havok/path=stand-in", "joint gap", pendulum},
+    {"havok/path=stand-in", "joint gap", two_fixed},
+    {"physx", "energy", springs},
+    {"physx/path=as-shipped,gyro=on", "penetration", falling_box},
+    {"physx", "energy", falling_solids},
+    {"physx/solver=tgs", "joint gap", pendulum},
+    {"physx", "joint gap", two_fixed},
+    {"crashcat", "energy", springs},
+    {"crashcat/path=as-shipped", "energy", falling_box},
+    {"crashcat", "energy", falling_solids},
+    {"crashcat", "joint gap", pendulum},
+    {"cannon-es/path=stand-in", "energy", springs},
+    {"cannon-es/path=stand-in", "penetration", falling_box},
+    {"cannon-es/path=as-shipped", "penetration", falling_balls},
+    {"cannon-es/path=stand-in", "joint gap", pendulum},
 };
 
 // What Cylon measures, as the first number of a fault.
