@@ -80,5 +80,21 @@ TEST(FoundFaults, OfAFastSpin) {
   }
 }
 
+// A free ball below 0.1 m/s is braked, and above it is not.
+TEST(FoundFaults, OfSlowBodiesOnHavok) {
+  core::Scene scene = scene_of("fast_spin");
+  scene.bodies[0].initial.angular_velocity.setZero();
+  for (const auto& [speed, havok] : {std::pair(0.15, 0.15), std::pair(0.09, 0.0597)}) {
+    scene.bodies[0].initial.velocity = {0, 0, speed};
+    for (const Row& row : {Row{"in-house", 0.01, speed, 1e-12}, Row{"physx", 0.01, speed, 1e-6},
+                           Row{"jolt", 0.01, speed, 1e-6}, Row{"rapier", 0.01, speed, 1e-6},
+                           Row{"havok", 0.01, havok, 1e-4}}) {
+      core::State end;
+      if (!runs(row, scene, 0.1, end)) continue;
+      EXPECT_NEAR(end[0].velocity.z(), row.told, row.within) << row.engine;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cylon::conformance
