@@ -74,6 +74,7 @@ SETTINGS = {
             ("bounce-velocity", "bounce-velocity=0.1", "bounce_vel", "ode/src/joints/contact.cpp:199"),
             ("contact-cfm", "contact-cfm=0.01", "soft_cfm", "include/ode/contact.h:39"),
             ("contact-erp", "contact-erp=0", "soft_erp", "include/ode/contact.h:38"),
+            ("stop-erp", "stop-erp=0.2", "stop_erp", "ode/src/joints/joint.cpp:503"),
             ("surface-layer", "surface-layer=0.0001", "contact_surface_layer", "ode/src/objects.cpp:79"),
             ("contacts", "contacts=4", "contacts", "ode/src/collision_kernel.cpp:292"),
             ("stepper", "stepper=quick", "solver", "include/ode/objects.h:427"),

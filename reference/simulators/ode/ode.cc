@@ -216,7 +216,7 @@ void Ode::add_joint(std::size_t index) {
       dJointID id = attach(dJointCreateHinge(world_->id, nullptr));
       dJointSetHingeAnchor(id, p.x(), p.y(), p.z());
       dJointSetHingeAxis(id, joint.axis.x(), joint.axis.y(), joint.axis.z());
-      ode_limit_hinge(id, joint, a == nullptr);
+      ode_limit_hinge(id, joint, a == nullptr, settings_.stop_erp);
       return;
     }
     case JointType::distance: {
@@ -235,7 +235,7 @@ void Ode::add_joint(std::size_t index) {
     case JointType::slider: {
       dJointID id = attach(dJointCreateSlider(world_->id, nullptr));
       dJointSetSliderAxis(id, joint.axis.x(), joint.axis.y(), joint.axis.z());
-      ode_limit_slider(id, joint, a == nullptr);
+      ode_limit_slider(id, joint, a == nullptr, settings_.stop_erp);
       return;
     }
     case JointType::cylindrical: {

@@ -94,6 +94,9 @@ std::vector<Row> rows(const OdeSettings& run) {
     all.push_back({{"contact-cfm"}, "soft_cfm", text(*run.contact_cfm), "cfm", "softness of contacts alone"});
   if (run.contact_erp)
     all.push_back({{"contact-erp"}, "soft_erp", text(*run.contact_erp), "erp", "ERP of contacts alone"});
+  if (run.stop_erp)
+    all.push_back(
+        {{"stop-erp"}, "stop_erp", text(*run.stop_erp), "erp", "ERP of the stops of joints (dParamStopERP)"});
   if (run.all_springs || run.stiff_springs)
     all.push_back({{"springs"},
                    "springs",
@@ -173,19 +176,24 @@ struct Rule {
 
 constexpr const char* exact_turn = "finite rotates a body by |w| dt; infinitesimal by 2 atan(|w| dt/2)";
 constexpr const char* a_coefficient = "without Approx1 the friction coefficient is a force limit";
+constexpr const char* nothing_back =
+    "ODE leaves a stop with the larger of e v and ERP depth/dt, which nothing takes back";
 constexpr const char* stack =
     "where moving bodies touch at the start, nothing bounces and masses are within a factor of 1000";
 
 constexpr Rule rules[] = {
     {"step", "rotation", "finite", nullptr, "", exact_turn},
     {"step", "friction", "coefficient", nullptr, "", a_coefficient},
+    {"step", "stop-erp", "0", nullptr, "", nothing_back},
 
     {"quick", "stepper", "quick", nullptr, "", "the path"},
     {"quick", "rotation", "finite", nullptr, "", exact_turn},
     {"quick", "friction", "coefficient", nullptr, "", a_coefficient},
+    {"quick", "stop-erp", "0", nullptr, "", nothing_back},
 
     {"as-expert", "rotation", "finite", nullptr, "", exact_turn},
     {"as-expert", "friction", "coefficient", nullptr, "", a_coefficient},
+    {"as-expert", "stop-erp", "0", nullptr, "", nothing_back},
     {"as-expert", "friction-direction", "slip", keeps_to_the_slip, "except where soft_cfm is 1e-05, below",
      "one side of the pyramid lies on Coulomb's cone"},
     {"as-expert", "springs", "stiff", nullptr, "", "an explicit force diverges beyond dt^2 k = 4 m"},

@@ -29,6 +29,7 @@ struct OdeSettings {
   double bounce_velocity = 0;         ///< Approach speed up to which nothing bounces [m/s].
   std::optional<double> contact_cfm;  ///< dContactSoftCFM: a contact's own softness [s/kg].
   std::optional<double> contact_erp;  ///< dContactSoftERP: a contact's own ERP, in [0, 1].
+  std::optional<double> stop_erp;     ///< dParamStopERP: the ERP of stops of joints, in [0, 1].
   double surface_layer = 0;           ///< Depth up to which contacts are left alone [m].
   bool stiff_springs = false;         ///< Springs too stiff for a force are soft joints (implicit).
   bool all_springs = false;           ///< All springs are.

@@ -9,24 +9,25 @@ namespace {
 
 // `set` gives a parameter to the joint.  ODE's coordinate is 0 at the start.
 template <class Set>
-void limit(core::JointCoordinate c, bool reversed, const Set& set) {
+void limit(core::JointCoordinate c, bool reversed, std::optional<double> erp, const Set& set) {
   if (reversed) core::reverse(c);
   if (c.lower) set(dParamLoStop, *c.lower - c.start);
   if (c.upper) set(dParamHiStop, *c.upper - c.start);
   if (core::has_limit(c)) set(dParamBounce, c.restitution);
+  if (core::has_limit(c) && erp) set(dParamStopERP, *erp);
   if (c.friction != 0) set(dParamVel, 0), set(dParamFMax, c.friction);
 }
 
 }  // namespace
 
-void ode_limit_hinge(dJointID id, const core::Joint& joint, bool reversed) {
+void ode_limit_hinge(dJointID id, const core::Joint& joint, bool reversed, std::optional<double> erp) {
   for (const core::JointAngle& c : joint.angles)
-    limit(c, reversed, [&](int parameter, double value) { dJointSetHingeParam(id, parameter, value); });
+    limit(c, reversed, erp, [&](int parameter, double value) { dJointSetHingeParam(id, parameter, value); });
 }
 
-void ode_limit_slider(dJointID id, const core::Joint& joint, bool reversed) {
+void ode_limit_slider(dJointID id, const core::Joint& joint, bool reversed, std::optional<double> erp) {
   for (const core::JointDisplacement& c : joint.displacements)
-    limit(c, reversed, [&](int parameter, double value) { dJointSetSliderParam(id, parameter, value); });
+    limit(c, reversed, erp, [&](int parameter, double value) { dJointSetSliderParam(id, parameter, value); });
 }
 
 }  // namespace cylon::simulators

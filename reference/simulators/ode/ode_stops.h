@@ -6,10 +6,13 @@
 
 #include <ode/common.h>
 
+#include <optional>
+
 namespace cylon::simulators {
 
 /// `reversed`: ODE's first body is the joint's `to`, and its coordinate counts the other way.
-void ode_limit_hinge(dJointID, const core::Joint&, bool reversed);
-void ode_limit_slider(dJointID, const core::Joint&, bool reversed);
+/// `erp`: share of what goes past a stop that is corrected in a step; nothing: that of the world.
+void ode_limit_hinge(dJointID, const core::Joint&, bool reversed, std::optional<double> erp);
+void ode_limit_slider(dJointID, const core::Joint&, bool reversed, std::optional<double> erp);
 
 }  // namespace cylon::simulators
