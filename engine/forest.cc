@@ -1,6 +1,8 @@
 #include "engine/forest.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <functional>
 
 namespace cylon::engine {
 
@@ -35,9 +37,15 @@ std::vector<Hung> forest(const Model& model) {
     if (!found[index(body)]) take(body, joint.body == body ? joint.to : joint.body, &joint);
   }
   spread(0);
-  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
-    if (found[i] || model.bodies[i].locked) continue;
-    take(static_cast<int>(i), fixed_world, nullptr);
+  // The heaviest body of a tree in space is its root: on the spin of a light one the rounding of forces on heavy ones far away
+  // would act.
+  std::vector<int> free;
+  for (std::size_t i = 0; i < model.bodies.size(); ++i)
+    if (!found[i] && !model.bodies[i].locked) free.push_back(static_cast<int>(i));
+  std::ranges::stable_sort(free, std::ranges::greater(), [&](int i) { return model.bodies[index(i)].mass; });
+  for (const int root : free) {
+    if (found[index(root)]) continue;
+    take(root, fixed_world, nullptr);
     spread(hung.size() - 1);
   }
   if (used != holding) return {};

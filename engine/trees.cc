@@ -53,6 +53,12 @@ bool Trees::applies(const Model& model, const Options& options, const Integrator
       model.joints.empty())
     return false;
   if (!(required(model, options) - supports(Method::trees)).empty()) return false;
+  // Displacements in a plane that spins go and come at its rate, faster than anything in the world, and no step makes their
+  // rounding smooth.
+  const auto spins = [&](const Joint& joint) {
+    return joint.type.place == Joint::Place::in_plane && model.moves(joint.body) && model.moves(joint.to);
+  };
+  if (integrator.kind == Kind::adaptive && std::ranges::any_of(model.joints, spins)) return false;
   // What switches on and off is located in motions.
   if (integrator.kind == Kind::adaptive && !model.forces.waters.empty()) return false;
   if (!std::ranges::any_of(
@@ -325,16 +331,21 @@ void Trees::lean(const Node& node, Articulated& a) {
   const Eigen::Matrix<Real, 6, N> s = a.space.template leftCols<N>();
   const Eigen::Matrix<Real, 6, N> force = a.inertia * s;
   const Eigen::Matrix<Real, N, N> mass = s.transpose() * force;
+  const Eigen::Matrix<Real, N, 1> push = -s.transpose() * a.bias;
+  a.push.template head<N>() = push;
+  if (!model_.moves(
+          node.parent)) {  // solved here: the inverse of a tree whose bodies are far apart would lose digits
+    a.push.template head<N>() -= force.transpose() * a.change;
+    mass.llt().solveInPlace(a.push.template head<N>());
+    return;
+  }
   Eigen::Matrix<Real, N, N> inverse;
   if constexpr (N == 1)
     inverse(0, 0) = 1 / mass(0, 0);
   else
     inverse = mass.llt().solve(Eigen::Matrix<Real, N, N>::Identity());
-  const Eigen::Matrix<Real, N, 1> push = -s.transpose() * a.bias;
   a.force.template leftCols<N>() = force;
   a.inverse.template topLeftCorner<N, N>() = inverse;
-  a.push.template head<N>() = push;
-  if (!model_.moves(node.parent)) return;
   const Eigen::Matrix<Real, 6, N> share = force * inverse;
   a.inertia -= share * force.transpose();
   a.bias += a.inertia * a.change + share * push;
@@ -344,9 +355,11 @@ template <int N>
 void Trees::accelerate(const Node& node, Articulated& a, const Vector6& parent, const Real* y,
                        Real* rate) const {
   a.acceleration = parent + a.change;
-  const Eigen::Matrix<Real, N, 1> q =
-      a.inverse.template topLeftCorner<N, N>() *
-      (a.push.template head<N>() - a.force.template leftCols<N>().transpose() * a.acceleration);
+  Eigen::Matrix<Real, N, 1> q = a.push.template head<N>();
+  if (model_.moves(node.parent)) {
+    q -= a.force.template leftCols<N>().transpose() * a.acceleration;
+    q = a.inverse.template topLeftCorner<N, N>() * q;
+  }
   a.acceleration += a.space.template leftCols<N>() * q;
   const Real* now = y + node.rates_at();
   Real* change = rate + node.at;

@@ -74,10 +74,10 @@ class Trees {
   };
   // Of one evaluation.
   struct Articulated {
-    Matrix6 inertia, space, force;  // I_i, then S_i and I_i S_i in the first columns
-    Matrix6 inverse;                // (S^T I S)^-1
-    Vector6 bias, change, push, acceleration;
-    Vector3 shift;  // from the parent's centre
+    Matrix6 inertia, space, force;             // I_i, then S_i and I_i S_i in the first columns
+    Matrix6 inverse;                           // (S^T I S)^-1
+    Vector6 bias, change, push, acceleration;  // of what hangs from what stands still, push is q''
+    Vector3 shift;                             // from the parent's centre
   };
 
   void hang(int body, const Joint*, int parent);

@@ -225,6 +225,9 @@ const std::vector<Odd> all = {
      "",
      {{0, What::velocity, 0, -1, 1e-11}, {1, What::position, 0, 0.3 + 1 - 0.4, 1e-10}}},
     {"capsule_lies_down", 3e5, "", {{0, What::position, 1, 0.25, 1e-11}, {0, What::velocity, 1, 0, 1e-11}}},
+    // Their coordinates against each other turn with them: minutes for a second of motion, before.
+    {"plate_on_a_plate_in_space", 1e3},
+    {"light_plate_on_a_heavy_one", 1e3},
     {"door_at_a_stop", 4e5, "", {{0, What::position, 2, -0.5 * std::sin(door(0.5)), 1e-10}}},
     {"fixed_pair_lands", 0, stepped, {{0, What::position, 1, 0.2, 1e-9}, {1, What::velocity, 1, 0, 1e-9}}},
     {"falls_with_drag", 1e5, "", {{0, What::position, 1, 0.2, 1e-11}}},
