@@ -67,7 +67,8 @@ export function ColumnChoice({ columns, shown, onChange }: ColumnChoiceProps) {
       <p class="choice-note">
         <button type="button" disabled={shown.every(Boolean)} onClick={() => onChange(everything)}>
           show all columns
-        </button>
+        </button>{' '}
+        Your browser remembers the choice, and the address contains it.
       </p>
     </details>
   );

@@ -12,6 +12,7 @@ import { looks, statuses } from '../status';
 import { Differs } from '../status_mark';
 import { ColumnChoice } from './column_choice';
 import { Filter } from './filter';
+import { rememberColumns } from './remembered_columns';
 import { MatrixTable } from './table';
 
 const everything: Parsed = { query: { kind: 'all' }, columns: [] };
@@ -98,11 +99,19 @@ export function MatrixSection({ matrix, views }: MatrixSectionProps) {
     return () => removeEventListener('keydown', focus);
   }, []);
 
+  // What a link chose is not remembered until the reader changes it.
+  const ask = (q: string) => {
+    go({ q });
+    const next = read(q);
+    const chosen = shownColumns(next.parsed.columns, matrix.columns);
+    if (!next.fault && chosen.some((s, j) => s !== shown[j])) rememberColumns(matrix.columns, chosen);
+  };
+
   return (
     <section class="matrix-section" aria-labelledby="matrix-heading">
       <h2 id="matrix-heading">Scenarios and engines</h2>
       <div class="matrix-tools">
-        <Filter input={input} fault={fault} onQuery={(q) => go({ q })} />
+        <Filter input={input} fault={fault} onQuery={ask} />
         <label class="sort">
           Order{' '}
           <select value={sort} onChange={(event) => go({ sort: event.currentTarget.value })}>
@@ -116,7 +125,7 @@ export function MatrixSection({ matrix, views }: MatrixSectionProps) {
         <ColumnChoice
           columns={matrix.columns}
           shown={shown}
-          onChange={(next) => go({ q: withColumns(query, matrix.columns, next) })}
+          onChange={(next) => ask(withColumns(query, matrix.columns, next))}
         />
       </div>
       <p class="count" role="status">
