@@ -5,10 +5,10 @@ import type { Index } from '../shared/documents';
 import { setTheme, theme, type Theme } from '../shared/theme';
 import { cellOf, link, sectionAddress, useAddress } from './address';
 import { CellPage } from './cell/cell_page';
-import { find, fold } from './fold';
+import { find, type Matrix } from './fold';
 import { MatrixSection } from './matrix/matrix_section';
 import { Overview, VerdictLine } from './overview';
-import { sections } from './sections';
+import { firstFilled, sections } from './sections';
 import { visible } from './visible';
 
 const themes: Record<Theme, { next: Theme; label: string }> = {
@@ -50,11 +50,10 @@ function Navigation({ index, open }: { index: Index; open: string }) {
   );
 }
 
-export function App({ index }: { index: Index }) {
+export function App({ index, matrix }: { index: Index; matrix: Matrix }) {
   const address = useAddress();
-  const matrix = useMemo(() => fold(index.results.verdicts), [index]);
   const views = useMemo(() => new Map(index.scenarios.map((view) => [view.name, view])), [index]);
-  const filled = sections.find(({ size }) => size(index) !== 0);
+  const filled = firstFilled(index);
   // A filter is one of verdicts.
   const wanted = address.section ?? (address.q === undefined && filled ? filled.id : 'matrix');
   const section = sections.find(({ id }) => id === wanted) ?? filled ?? sections[0]!;

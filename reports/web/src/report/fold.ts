@@ -1,6 +1,7 @@
 // Verdicts to a matrix of scenarios and engines: a cell is the worst of its claims (as reports/verdict_matrix.cc
 // folds).
 import type { Status, Verdict } from '../shared/documents';
+import { families } from './families';
 import { differs, digits, isMeasured, severity } from './status';
 
 /** What one run of one engine is called. */
@@ -24,6 +25,7 @@ export interface Column {
   engine: string;
   integrator: string;
   label: string;
+  family: string;
 }
 
 export interface Row {
@@ -97,6 +99,13 @@ function columnIntegrators(verdicts: Verdict[]): (v: Verdict) => string {
   return (v) => (several.has(v.engine) ? v.integrator || (first.get(v.engine) ?? '') : '');
 }
 
+/** The version that each engine says; a run that ended at once says none. */
+function versionsOf(verdicts: Verdict[]): Map<string, string> {
+  const out = new Map<string, string>();
+  for (const v of verdicts) out.set(v.engine, out.get(v.engine) || v.version);
+  return out;
+}
+
 export function fold(verdicts: Verdict[]): Matrix {
   const scenarios = new Labels();
   const engines = new Labels();
@@ -109,9 +118,10 @@ export function fold(verdicts: Verdict[]): Matrix {
     row[j] ??= { scenario, engine, integrator, dt, verdicts: [], worst, digits: null, differs: false, closedForm: false, passedBy: [] };
     join(row[j], v);
   }
+  const familyOf = families(versionsOf(verdicts));
   const columns = engines
     .all()
-    .map(({ first, second, label }) => ({ engine: first, integrator: second, label }));
+    .map(({ first, second, label }) => ({ engine: first, integrator: second, label, family: familyOf.get(first)! }));
   const rows = scenarios.all().map(({ first, second, label }, i) => ({
     scenario: first,
     dt: second,

@@ -6,8 +6,12 @@ import { render } from 'preact';
 import { unpackJson } from '../shared/block';
 import type { Index, Provenance, Results } from '../shared/documents';
 import { startTheme } from '../shared/theme';
-import { startAddress } from './address';
+import { address, go, startAddress } from './address';
 import { App } from './app';
+import { fold, type Matrix } from './fold';
+import { rememberedColumns } from './matrix/remembered_columns';
+import { withColumns } from './query/columns';
+import { firstFilled } from './sections';
 
 function Unreadable({ why }: { why: string }) {
   return (
@@ -36,6 +40,14 @@ function complete(index: Index): Index {
   return results ? index : { ...index, results: { schema: 1, provenance: nowhere, verdicts: [] } };
 }
 
+/** Puts the columns of the last visit into the address, unless that has a query of its own.  The page opens with the
+ * part that it would open with otherwise. */
+function restoreColumns(index: Index, { columns }: Matrix): void {
+  const { q, section = firstFilled(index)?.id ?? '' } = address();
+  const shown = rememberedColumns(columns);
+  if (q === undefined && !shown.every(Boolean)) go({ section, q: withColumns('', columns, shown) });
+}
+
 export function openReport(root: HTMLElement): void {
   startTheme();
   startAddress();
@@ -43,7 +55,9 @@ export function openReport(root: HTMLElement): void {
     (packed) => {
       const index = complete(packed);
       root.replaceChildren(); // the matrix for readers without script
-      render(<App index={index} />, root);
+      const matrix = fold(index.results.verdicts);
+      restoreColumns(index, matrix);
+      render(<App index={index} matrix={matrix} />, root);
     },
     (error: unknown) => render(<Unreadable why={String(error)} />, root),
   );

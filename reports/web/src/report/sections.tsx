@@ -60,3 +60,8 @@ export const sections: Section[] = [
   },
   { id: 'provenance', label: 'Provenance', view: ProvenanceSection, size: () => null },
 ];
+
+/** The part that the page opens with, where the address names none. */
+export function firstFilled(index: Index): Section | undefined {
+  return sections.find(({ size }) => size(index) !== 0);
+}

@@ -3,14 +3,16 @@ import { useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 
 import type { ScenarioView } from '../../shared/documents';
 import { go, useAddress } from '../address';
-import { badness, type Column, type Matrix, type Row } from '../fold';
+import { grouped } from '../families';
+import { badness, type Matrix, type Row } from '../fold';
 import { matcher, shownColumns } from '../query/match';
 import { parse, type Parsed, QueryError } from '../query/parse';
 import { withColumns } from '../query/columns';
 import { looks, statuses } from '../status';
 import { Differs } from '../status_mark';
-import { visible } from '../visible';
+import { ColumnChoice } from './column_choice';
 import { Filter } from './filter';
+import { rememberColumns } from './remembered_columns';
 import { MatrixTable } from './table';
 
 const everything: Parsed = { query: { kind: 'all' }, columns: [] };
@@ -34,32 +36,6 @@ const orders: Record<string, { label: string; compare: ((a: Row, b: Row) => numb
   worst: { label: 'worst first', compare: byBadness },
   name: { label: 'by name', compare: (a, b) => a.label.localeCompare(b.label, 'en') },
 };
-
-function ColumnChoice({ columns, shown, query }: { columns: Column[]; shown: boolean[]; query: string }) {
-  const toggle = (j: number) =>
-    go({
-      q: withColumns(
-        query,
-        columns,
-        shown.map((s, k) => (k === j ? !s : s)),
-      ),
-    });
-  return (
-    <details class="column-choice">
-      <summary>
-        Columns: {shown.filter(Boolean).length} of {columns.length}
-      </summary>
-      <fieldset>
-        <legend class="unseen">Columns to show</legend>
-        {columns.map((column, j) => (
-          <label key={column.label}>
-            <input type="checkbox" checked={shown[j]} onChange={() => toggle(j)} /> {visible(column.label)}
-          </label>
-        ))}
-      </fieldset>
-    </details>
-  );
-}
 
 function Legend({ rows }: { rows: Row[] }) {
   const present = new Set(rows.flatMap((row) => row.cells.map((cell) => cell?.worst)));
@@ -104,7 +80,7 @@ export function MatrixSection({ matrix, views }: MatrixSectionProps) {
   const { parsed, fault } = useMemo(() => read(query), [query]);
   const titles = useMemo(() => new Map([...views].map(([name, view]) => [name, view.title])), [views]);
   const shown = useMemo(() => shownColumns(parsed.columns, matrix.columns), [parsed, matrix]);
-  const visibleColumns = useMemo(() => shown.flatMap((s, j) => (s ? [j] : [])), [shown]);
+  const families = useMemo(() => grouped(matrix.columns, shown), [matrix, shown]);
   const rows = useMemo(() => {
     const found = matrix.rows.filter(matcher(parsed.query, matrix.columns, views));
     const compare = orders[sort]?.compare;
@@ -123,11 +99,19 @@ export function MatrixSection({ matrix, views }: MatrixSectionProps) {
     return () => removeEventListener('keydown', focus);
   }, []);
 
+  // What a link chose is not remembered until the reader changes it.
+  const ask = (q: string) => {
+    go({ q });
+    const next = read(q);
+    const chosen = shownColumns(next.parsed.columns, matrix.columns);
+    if (!next.fault && chosen.some((s, j) => s !== shown[j])) rememberColumns(matrix.columns, chosen);
+  };
+
   return (
     <section class="matrix-section" aria-labelledby="matrix-heading">
       <h2 id="matrix-heading">Scenarios and engines</h2>
       <div class="matrix-tools">
-        <Filter input={input} fault={fault} onQuery={(q) => go({ q })} />
+        <Filter input={input} fault={fault} onQuery={ask} />
         <label class="sort">
           Order{' '}
           <select value={sort} onChange={(event) => go({ sort: event.currentTarget.value })}>
@@ -138,15 +122,19 @@ export function MatrixSection({ matrix, views }: MatrixSectionProps) {
             ))}
           </select>
         </label>
-        <ColumnChoice columns={matrix.columns} shown={shown} query={query} />
+        <ColumnChoice
+          columns={matrix.columns}
+          shown={shown}
+          onChange={(next) => ask(withColumns(query, matrix.columns, next))}
+        />
       </div>
       <p class="count" role="status">
-        {rows.length} of {matrix.rows.length} rows, {visibleColumns.length} of {matrix.columns.length} columns
+        {rows.length} of {matrix.rows.length} rows, {shown.filter(Boolean).length} of {matrix.columns.length} columns
         {rows.length === 0 ? ': nothing answers the filter' : ''}
       </p>
       <MatrixTable
         columns={matrix.columns}
-        shown={visibleColumns}
+        families={families}
         rows={rows}
         titles={titles}
         version={`${query} ${sort} ${section}`}

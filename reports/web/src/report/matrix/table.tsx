@@ -2,15 +2,18 @@
 import { useCallback, useEffect, useRef, useState } from 'preact/hooks';
 
 import { cellAddress, link } from '../address';
+import type { Family } from '../families';
 import type { Cell, Column, Row } from '../fold';
 import { digitsText } from '../numbers';
 import { isMeasured, looks } from '../status';
 import { Differs, spoken } from '../status_mark';
 import { visible } from '../visible';
 import { useGridKeys } from './grid_keys';
+import { ColumnGroups, headRows, MatrixHead } from './head';
 import { memo } from './memo';
 
 const chunk = 200; // rows drawn at a time
+const roomy = 12; // columns; more of them are drawn dense
 
 function CellLink({ cell, row, column }: { cell: Cell; row: number; column: number }) {
   const { glyph } = looks[cell.worst];
@@ -33,9 +36,10 @@ function CellLink({ cell, row, column }: { cell: Cell; row: number; column: numb
   );
 }
 
-function toneOf(cell: Cell): string {
-  const tone = cell.passedBy.length > 0 ? 'avoidable' : looks[cell.worst].tone;
-  return `${tone}${cell.differs ? ' has-differs' : ''}`;
+function classOf(cell: Cell | null | undefined, starts: boolean): string | undefined {
+  const tone = cell && (cell.passedBy.length > 0 ? 'avoidable' : looks[cell.worst].tone);
+  const words = [tone, cell?.differs && 'has-differs', starts && 'starts'].filter(Boolean);
+  return words.length > 0 ? words.join(' ') : undefined;
 }
 
 function Empty({ row, column }: { row: number; column: number }) {
@@ -46,56 +50,53 @@ function Empty({ row, column }: { row: number; column: number }) {
   );
 }
 
-/** May break where the words of an engine's name meet. */
-function parted(label: string) {
-  return label.split(/(?<=[/=-])/).flatMap((part, i) => (i === 0 ? [part] : [<wbr key={i} />, part]));
-}
-
 interface LineProps {
   row: Row;
   index: number;
+  above: number; // rows of the head
   title: string;
-  shown: number[];
+  families: Family[];
   version: string; // of the address: links in the row are made from it
 }
 
-const Line = memo(({ row, index, title, shown }: LineProps) => (
-  <tr aria-rowindex={index + 2}>
-    <th scope="row">
-      <span class="name">{visible(row.label)}</span>
-      {title && title !== row.label ? <span class="title">{visible(title)}</span> : null}
-    </th>
-    {shown.map((j, column) => {
-      const cell = row.cells[j];
-      return (
-        <td
-          key={j}
-          class={cell ? toneOf(cell) : undefined}
-        >
-          {cell ? (
-            <CellLink cell={cell} row={index} column={column} />
-          ) : (
-            <Empty row={index} column={column} />
-          )}
-        </td>
-      );
-    })}
-  </tr>
-));
+const Line = memo(({ row, index, above, title, families }: LineProps) => {
+  let column = 0;
+  return (
+    <tr aria-rowindex={index + above + 1}>
+      <th scope="row">
+        <span class="name">{visible(row.label)}</span>
+        {title && title !== row.label ? <span class="title">{visible(title)}</span> : null}
+      </th>
+      {families.flatMap((family) =>
+        family.columns.map((j, i) => {
+          const cell = row.cells[j];
+          const place = { row: index, column: column++ };
+          return (
+            <td key={j} class={classOf(cell, i === 0)}>
+              {cell ? <CellLink cell={cell} {...place} /> : <Empty {...place} />}
+            </td>
+          );
+        }),
+      )}
+    </tr>
+  );
+});
 
 interface TableProps {
   columns: Column[];
-  shown: number[]; // indices into columns
+  families: Family[]; // with the columns to show
   rows: Row[];
   titles: Map<string, string>;
   version: string;
 }
 
-export function MatrixTable({ columns, shown, rows, titles, version }: TableProps) {
+export function MatrixTable({ columns, families, rows, titles, version }: TableProps) {
   const [limit, setLimit] = useState(chunk);
   const end = useRef<HTMLDivElement>(null);
   const grow = useCallback(() => setLimit((n) => n + chunk), []);
-  const table = useGridKeys(rows.length, shown.length, grow);
+  const width = families.reduce((n, family) => n + family.columns.length, 0);
+  const above = headRows(families, columns);
+  const table = useGridKeys(rows.length, width, grow);
   const more = rows.length > limit;
 
   useEffect(() => {
@@ -114,28 +115,27 @@ export function MatrixTable({ columns, shown, rows, titles, version }: TableProp
 
   return (
     <div class="matrix-scroll" role="region" aria-label="Matrix of scenarios and engines">
-      <table class="matrix" ref={table} role="grid" aria-rowcount={rows.length + 1} aria-readonly="true">
+      <table
+        class={width > roomy ? 'matrix dense' : 'matrix'}
+        ref={table}
+        role="grid"
+        aria-rowcount={rows.length + above}
+        aria-readonly="true"
+      >
         <caption class="unseen">
           Scenarios and engines; arrow keys move, Enter opens a cell, Escape comes back
         </caption>
-        <thead>
-          <tr aria-rowindex={1}>
-            <th scope="col">scenario</th>
-            {shown.map((j) => (
-              <th key={j} scope="col">
-                {parted(visible(columns[j]!.label))}
-              </th>
-            ))}
-          </tr>
-        </thead>
+        <ColumnGroups families={families} />
+        <MatrixHead families={families} columns={columns} />
         <tbody>
           {rows.slice(0, limit).map((row, i) => (
             <Line
               key={`${row.scenario}\u0000${row.dt}`}
               row={row}
               index={i}
+              above={above}
               title={titles.get(row.scenario) ?? ''}
-              shown={shown}
+              families={families}
               version={version}
             />
           ))}
