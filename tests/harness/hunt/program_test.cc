@@ -134,6 +134,10 @@ const Case cases[] = {
     {"rapier", "energy", springs},
     {"rapier", "penetration", falling_balls},
     {"rapier", "joint gap", pendulum},
+    {"mujoco", "energy", springs},
+    {"mujoco/path=as-expert", "place", damped_springs},
+    {"mujoco/path=as-expert", "energy", pendulum},
+    {"mujoco/path=as-expert", "penetration", falling_box},
 };
 
 // What Cylon measures, as the first number of a fault.
