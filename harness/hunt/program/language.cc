@@ -140,10 +140,10 @@ std::string without_unused(std::string text, std::string_view helpers) {
   return text;
 }
 
-extern const Dialect ode, bullet, rapier, mujoco;
+extern const Dialect ode, bullet, rapier, mujoco, simbody, dart;
 
 std::span<const Dialect* const> dialects() {
-  static constexpr std::array all = {&ode, &bullet, &rapier, &mujoco};
+  static constexpr std::array all = {&ode, &bullet, &rapier, &mujoco, &simbody, &dart};
   return all;
 }
 

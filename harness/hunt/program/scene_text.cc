@@ -63,6 +63,9 @@ class Saying : private Numbers {
     words_["gravities"] = list(takes_, [&](const Scene& take) { return vector(core::gravity(take)); });
     words_["friction"] = number(scene.materials.empty() ? 0 : scene.materials[0].friction);
     words_["restitution"] = number(scene.materials.empty() ? 0 : scene.materials[0].restitution);
+    // Over settings of the same names.
+    for (const char* word : {"shapes", "planes", "joints", "gaps", "forces", "potential"})
+      words_[word].clear();
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
       const core::Body& body = scene.bodies[i];
       Words words{{"i", std::to_string(i)}};
@@ -70,9 +73,7 @@ class Saying : private Numbers {
       if (touches) words["shape"] = shape_text(body.shape);
       words_["shapes"] += filled(touches ? dialect_.body_shape : dialect_.no_shape, words);
     }
-    words_["planes"];
     for (std::size_t p = 0; p < scene.planes.size(); ++p) plane(p);
-    words_["joints"], words_["gaps"];
     for (std::size_t j = 0; j < scene.joints.size(); ++j) joint(j);
     if (!dialect_.free_body.empty()) hang();
     forces();
@@ -151,12 +152,12 @@ class Saying : private Numbers {
     const auto axis = [&](int body) {
       return vector(Vector3(takes_[0].bodies[at(body)].initial.orientation.conjugate() * joint.axis));
     };
-    Words words{{"a", std::to_string(joint.body)}, {"joint", fmt::format("joint{}", j)},
+    Words words{{"a", std::to_string(joint.body)}, {"b", std::to_string(joint.to)}, {"joint", fmt::format("joint{}", j)},
                 {"point", listed(joint.point)},    {"point_vector", vector(joint.point)},
                 {"axis", listed(joint.axis)},      {"axis_vector", vector(joint.axis)},
                 {"local_a", local(joint.body)},    {"axis_a", axis(joint.body)}};
     if (joint.to != core::world) {
-      words["b"] = std::to_string(joint.to), words["local_b"] = local(joint.to);
+      words["local_b"] = local(joint.to);
       words["axis_b"] = axis(joint.to);
       const core::BodyState &a = takes_[0].bodies[at(joint.body)].initial,
                             &b = takes_[0].bodies[at(joint.to)].initial;
