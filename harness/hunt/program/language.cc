@@ -140,10 +140,10 @@ std::string without_unused(std::string text, std::string_view helpers) {
   return text;
 }
 
-extern const Dialect ode, bullet, rapier, mujoco, simbody, dart;
+extern const Dialect ode, bullet, rapier, mujoco, simbody, dart, siconos;
 
 std::span<const Dialect* const> dialects() {
-  static constexpr std::array all = {&ode, &bullet, &rapier, &mujoco, &simbody, &dart};
+  static constexpr std::array all = {&ode, &bullet, &rapier, &mujoco, &simbody, &dart, &siconos};
   return all;
 }
 

@@ -191,6 +191,9 @@ const Case cases[] = {
     {"dart", "place", damped_springs},
     {"dart", "energy", branches},
     {"dart/path=as-expert,solver=pgs", "penetration", falling_links},
+    {"siconos", "place", damped_springs},
+    {"siconos/integrator=moreau-jean-implicit", "energy", springs},
+    {"siconos/path=as-expert", "penetration", falling_balls},
 };
 
 // What Cylon measures, as the first number of a fault.
