@@ -112,19 +112,19 @@ constexpr SettingRow settings[] = {
     {"BoxedLcpSolver", "pgs", Where::world,
      "  solver->setBoxedLcpSolver(std::make_shared<dart::constraint::PgsBoxedLcpSolver>());\n"
      "  solver->setSecondaryBoxedLcpSolver(nullptr);\n"},
+    {"DynamicJointConstraint::*", "", Where::program, ""},  // of loops, which no row says
     {"ContactConstraint::*", "", Where::world, "  dart::constraint::${name}(${value});\n"},
 };
 
 }  // namespace
 
 extern const Dialect dart;
-const Dialect dart = {
-    "dart",
-    "DART",
-    &cpp,
-    "apt-get install g++ libdart-dev",
-    "c++ -std=c++20 ${file} -o fault -isystem /usr/include/eigen3 -ldart && ./fault",
-    R"(#include <dart/collision/dart/DARTCollisionDetector.hpp>
+const Dialect dart = {"dart",
+                      "DART",
+                      &cpp,
+                      "apt-get install g++ libdart-dev",
+                      "c++ -std=c++20 ${file} -o fault -isystem /usr/include/eigen3 -ldart && ./fault",
+                      R"(#include <dart/collision/dart/DARTCollisionDetector.hpp>
 #include <dart/constraint/BoxedLcpConstraintSolver.hpp>
 #include <dart/constraint/ContactConstraint.hpp>
 #include <dart/constraint/PgsBoxedLcpSolver.hpp>
@@ -136,10 +136,10 @@ const Dialect dart = {
 #include <dart/dynamics/WeldJoint.hpp>
 #include <dart/simulation/World.hpp>
 )",
-    functions,
-    "  touch(id[${i}], ${shape});\n",
-    "",
-    R"(  {
+                      functions,
+                      "  touch(id[${i}], ${shape});\n",
+                      "",
+                      R"(  {
     const auto ground = Skeleton::create("plane " + std::to_string(world->getNumSkeletons()));
     ground->setMobile(false);
     const auto [joint, node] = ground->createJointAndBodyNodePair<WeldJoint>();
@@ -148,9 +148,9 @@ const Dialect dart = {
     world->addSkeleton(ground);
   }
 )",
-    shapes,
-    joints,
-    settings,
-    "  hang<FreeJoint>(take, ${a}, -1, start[take][${a}].x);\n"};
+                      shapes,
+                      joints,
+                      settings,
+                      "  hang<FreeJoint>(take, ${a}, -1, start[take][${a}].x);\n"};
 
 }  // namespace cylon::hunt::program

@@ -46,8 +46,9 @@ std::vector<State> states() {
 
 void build(int take) {
   const double mu = ${friction};
+  const int room = 100 + 20 * count;  // for contacts
   std::string excluded;
-  mjcf = "<mujoco><compiler angle='radian' inertiafromgeom='false'/><size njmax='1000' nconmax='250'/>"
+  mjcf = "<mujoco><compiler angle='radian' inertiafromgeom='false'/><size njmax='" + std::to_string(4 * room) + "' nconmax='" + std::to_string(room) + "'/>"
          "<option timestep='" + text({dt}) + "' gravity='" + text(gravity[take]) + "'><flag filterparent='disable'/></option>"
          "<default><geom condim='" + (mu > 0 ? "3" : "1") + "' friction='" + text({mu, 0, 0}) + "'/></default><worldbody><!--0--></worldbody>";
   speeds.assign(count, {});
@@ -99,8 +100,7 @@ constexpr JointRow joints[] = {
      "text(${axis_a}) + \"'/>\",\n"
      "      {V{dot(${axis_vector}, sub(start[take][${a}].w, start[take][${b}].w))}});\n"
      "  excluded += \"<exclude body1='b${a}' body2='b${b}'/>\";\n"},
-    {JointType::fixed,
-     "  add(${a}, -1, start[take][${a}].x, start[take][${a}].q, \"\", {});\n",
+    {JointType::fixed, "  add(${a}, -1, start[take][${a}].x, start[take][${a}].q, \"\", {});\n",
      "  add(${a}, ${b}, ${place}, ${turn}, \"\", {});\n"
      "  excluded += \"<exclude body1='b${a}' body2='b${b}'/>\";\n"},
 };

@@ -152,10 +152,11 @@ class Saying : private Numbers {
     const auto axis = [&](int body) {
       return vector(Vector3(takes_[0].bodies[at(body)].initial.orientation.conjugate() * joint.axis));
     };
-    Words words{{"a", std::to_string(joint.body)}, {"b", std::to_string(joint.to)}, {"joint", fmt::format("joint{}", j)},
-                {"point", listed(joint.point)},    {"point_vector", vector(joint.point)},
-                {"axis", listed(joint.axis)},      {"axis_vector", vector(joint.axis)},
-                {"local_a", local(joint.body)},    {"axis_a", axis(joint.body)}};
+    Words words{{"a", std::to_string(joint.body)},     {"b", std::to_string(joint.to)},
+                {"joint", fmt::format("joint{}", j)},  {"point", listed(joint.point)},
+                {"point_vector", vector(joint.point)}, {"axis", listed(joint.axis)},
+                {"axis_vector", vector(joint.axis)},   {"local_a", local(joint.body)},
+                {"axis_a", axis(joint.body)}};
     if (joint.to != core::world) {
       words["local_b"] = local(joint.to);
       words["axis_b"] = axis(joint.to);
@@ -180,9 +181,8 @@ class Saying : private Numbers {
           [&]<class Kind>(const Kind& f) {
             if constexpr (std::is_same_v<Kind, core::Spring>) {
               const std::string far = vector(f.to_anchor);
-              calls += fmt::format("  spring(s, {}, {}, {}, {}, {}, {}, {});\n", f.body,
-                                   vector(f.anchor), f.to, far, number(f.stiffness), number(f.rest_length),
-                                   number(f.damping));
+              calls += fmt::format("  spring(s, {}, {}, {}, {}, {}, {}, {});\n", f.body, vector(f.anchor),
+                                   f.to, far, number(f.stiffness), number(f.rest_length), number(f.damping));
               const auto end = [&](int body, const Vector3& anchor) {
                 return body == core::world
                            ? vector(anchor)
@@ -197,11 +197,9 @@ class Saying : private Numbers {
             } else if constexpr (std::is_same_v<Kind, core::Thrust>) {
               calls += fmt::format("  thrust(s, {}, {});\n", f.body, vector(f.force));
             } else if constexpr (std::is_same_v<Kind, core::Drive>) {
-              calls += fmt::format("  drive(t, {}, {}, {});\n", f.body, vector(f.force),
-                                   number(f.frequency));
+              calls += fmt::format("  drive(t, {}, {}, {});\n", f.body, vector(f.force), number(f.frequency));
             } else if constexpr (std::is_same_v<Kind, core::Attraction>) {
-              calls +=
-                  fmt::format("  attraction(s, {}, {}, {});\n", f.body, f.to, number(f.strength));
+              calls += fmt::format("  attraction(s, {}, {}, {});\n", f.body, f.to, number(f.strength));
               potential +=
                   fmt::format("{}-({}) * body[{}].m * body[{}].m / norm(sub(s[{}].x, s[{}].x))",
                               potential.empty() ? "" : " + ", number(f.strength), f.body, f.to, f.body, f.to);

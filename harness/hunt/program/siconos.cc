@@ -139,10 +139,12 @@ constexpr SettingRow settings[] = {
     {"TimeStepping::setNewtonMaxIteration", "", Where::body,
      "  stepping->setNewtonMaxIteration(${value});\n"},
     {"SICONOS_DPARAM_TOL", "", Where::world,
-     "  if (friction > 0) std::static_pointer_cast<LinearOSNS>(problem)->numericsSolverOptions()->dparam[${name}] = "
+     "  if (friction > 0) "
+     "std::static_pointer_cast<LinearOSNS>(problem)->numericsSolverOptions()->dparam[${name}] = "
      "${value};\n"},
     {"SICONOS_IPARAM_MAX_ITER", "", Where::world,
-     "  if (friction > 0) std::static_pointer_cast<LinearOSNS>(problem)->numericsSolverOptions()->iparam[${name}] = "
+     "  if (friction > 0) "
+     "std::static_pointer_cast<LinearOSNS>(problem)->numericsSolverOptions()->iparam[${name}] = "
      "${value};\n"},
 };
 
@@ -154,7 +156,8 @@ const Dialect siconos = {
     "Siconos",
     &cpp,
     "apt-get install g++ libsiconos-kernel-dev libsiconos-numerics-dev",
-    "c++ -std=c++17 -fconcepts ${file} -o fault -isystem /usr/include/siconos -isystem /usr/include/siconos/kernel "
+    "c++ -std=c++17 -fconcepts ${file} -o fault -isystem /usr/include/siconos -isystem "
+    "/usr/include/siconos/kernel "
     "-isystem /usr/include/siconos/numerics -lsiconos_kernel -lsiconos_numerics && OPENBLAS_NUM_THREADS=1 "
     "./fault",
     R"(#include <SolverOptions.h>

@@ -274,6 +274,21 @@ TEST(ProgramOf, SaysWhatItCannotExpress) {
   EXPECT_EQ(why("bullet/solver=nncg", "rest", nothing), "no line for the setting constraint solver = nncg");
   EXPECT_EQ(why("ode/path=as-expert", "rest", nothing),
             "no line for the setting contact_mode = dContactApprox1 | dContactBounce | dContactFDir1");
+  EXPECT_EQ(why("dart/sweeps=7", "rest", nothing),
+            "no line for the setting PgsBoxedLcpSolver::Option::mMaxIteration = 7");
+  EXPECT_EQ(why("mujoco", "energy",
+                [](Trial& t) {
+                  t = pendulum();
+                  std::swap(t.scene.joints[1].body, t.scene.joints[1].to);
+                }),
+            "a joint hangs an earlier body from a later one");
+  EXPECT_EQ(why("mujoco", "energy",
+                [](Trial& t) {
+                  t = pendulum();
+                  t.scene.joints.push_back(t.scene.joints[1]);
+                  t.scene.joints.back().to = core::world;
+                }),
+            "a joint closes a loop");
 }
 
 }  // namespace
