@@ -34,7 +34,9 @@ void add(int i, int to, const V& x, const V& q, const std::string& joint, const 
 
 void act(double t, const std::vector<State>& s);
 std::vector<State> states() {
-  mj_kinematics(m, d), mj_comPos(m, d), mj_comVel(m, d);
+  const V kept(d->qpos, m->nq);
+  mj_kinematics(m, d), mj_comPos(m, d), mj_comVel(m, d);  // the first normalises turns
+  std::copy(begin(kept), end(kept), d->qpos);
   std::vector<State> all;
   for (int b : id) {
     mjtNum speed[6];  // spin first
