@@ -124,18 +124,17 @@ const Dialect dart = {"dart",
                       &cpp,
                       "apt-get install g++ libdart-dev",
                       "c++ -std=c++20 ${file} -o fault -isystem /usr/include/eigen3 -ldart && ./fault",
-                      R"(#include <dart/collision/dart/DARTCollisionDetector.hpp>
-#include <dart/constraint/BoxedLcpConstraintSolver.hpp>
-#include <dart/constraint/ContactConstraint.hpp>
-#include <dart/constraint/PgsBoxedLcpSolver.hpp>
-#include <dart/dynamics/BallJoint.hpp>
-#include <dart/dynamics/BoxShape.hpp>
-#include <dart/dynamics/FreeJoint.hpp>
-#include <dart/dynamics/RevoluteJoint.hpp>
-#include <dart/dynamics/SphereShape.hpp>
-#include <dart/dynamics/WeldJoint.hpp>
-#include <dart/simulation/World.hpp>
-)",
+                      "#include <dart/collision/dart/DARTCollisionDetector.hpp>\n"
+                      "#include <dart/constraint/BoxedLcpConstraintSolver.hpp>\n"
+                      "#include <dart/constraint/ContactConstraint.hpp>\n"
+                      "#include <dart/constraint/PgsBoxedLcpSolver.hpp>\n"
+                      "#include <dart/dynamics/BallJoint.hpp>\n"
+                      "#include <dart/dynamics/BoxShape.hpp>\n"
+                      "#include <dart/dynamics/FreeJoint.hpp>\n"
+                      "#include <dart/dynamics/RevoluteJoint.hpp>\n"
+                      "#include <dart/dynamics/SphereShape.hpp>\n"
+                      "#include <dart/dynamics/WeldJoint.hpp>\n"
+                      "#include <dart/simulation/World.hpp>\n",
                       functions,
                       "  touch(id[${i}], ${shape});\n",
                       "",

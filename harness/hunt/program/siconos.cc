@@ -160,23 +160,22 @@ const Dialect siconos = {
     "/usr/include/siconos/kernel "
     "-isystem /usr/include/siconos/numerics -lsiconos_kernel -lsiconos_numerics && OPENBLAS_NUM_THREADS=1 "
     "./fault",
-    R"(#include <SolverOptions.h>
-#include <BlockVector.hpp>
-#include <FrictionContact.hpp>
-#include <Interaction.hpp>
-#include <LCP.hpp>
-#include <MoreauJeanOSI.hpp>
-#include <NewtonEuler1DR.hpp>
-#include <NewtonEuler3DR.hpp>
-#include <NewtonEulerDS.hpp>
-#include <NewtonImpactFrictionNSL.hpp>
-#include <NewtonImpactNSL.hpp>
-#include <NonSmoothDynamicalSystem.hpp>
-#include <SiconosVector.hpp>
-#include <SimpleMatrix.hpp>
-#include <TimeDiscretisation.hpp>
-#include <TimeStepping.hpp>
-)",
+    "#include <SolverOptions.h>\n"
+    "#include <BlockVector.hpp>\n"
+    "#include <FrictionContact.hpp>\n"
+    "#include <Interaction.hpp>\n"
+    "#include <LCP.hpp>\n"
+    "#include <MoreauJeanOSI.hpp>\n"
+    "#include <NewtonEuler1DR.hpp>\n"
+    "#include <NewtonEuler3DR.hpp>\n"
+    "#include <NewtonEulerDS.hpp>\n"
+    "#include <NewtonImpactFrictionNSL.hpp>\n"
+    "#include <NewtonImpactNSL.hpp>\n"
+    "#include <NonSmoothDynamicalSystem.hpp>\n"
+    "#include <SiconosVector.hpp>\n"
+    "#include <SimpleMatrix.hpp>\n"
+    "#include <TimeDiscretisation.hpp>\n"
+    "#include <TimeStepping.hpp>\n",
     functions,
     "  radius[${i}] = ${shape};\n",
     "",
