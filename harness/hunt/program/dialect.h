@@ -27,6 +27,7 @@ struct Language {
   std::string_view list, end_list;  ///< Of a list: "{", "}".
   std::string_view helpers;         ///< Vectors: add, sub, mul, …, one function a line.
   std::string_view data;  ///< Types and constants of the scene: ${bodies}, ${starts}, ${gravities}, ${dt}, …
+  std::string_view act;   ///< act(t, s): ${forces} at a time and in a state.
   std::string_view main;  ///< Calls ${main}.
   std::string (*translated)(std::string_view formulas);
 };
@@ -63,6 +64,10 @@ struct Dialect {
   std::span<const ShapeRow> shapes;
   std::span<const JointRow> joints;
   std::span<const SettingRow> settings;
+  /// Of engines whose joints hang a body from an earlier one: statement for body ${a}, which hangs from nothing.  ${joints}
+  /// then has one statement for each body.
+  std::string_view free_body = {};
+  bool asks = false;  ///< The engine calls act() when it needs forces; else each step begins with it.
 };
 
 std::span<const Dialect* const> dialects();

@@ -139,7 +139,7 @@ fn run(take) {
   build(take);
   let path = record(states());
   for (let k = 1; k <= steps; ++k) {
-${forces}    step();
+${act}    step();
     append(path, states());
   }
   return path;

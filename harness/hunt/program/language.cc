@@ -65,6 +65,10 @@ const double dt = ${dt};
 const int steps = ${steps}, count = ${count};
 )",
                       R"(
+void act(double t, const std::vector<State>& s) {
+${forces}}
+)",
+                      R"(
 int main() {
 ${main}  std::printf("%.9g ${unit}\n", worst);
 }
@@ -97,6 +101,10 @@ const body = ${bodies}.map(named);  // mass [kg], moments about the axes of the 
 const start = ${starts}.map((all) => all.map(moving));  // centre of mass [m], turn, velocity [m/s], spin [rad/s]
 const gravity = ${gravities};
 const dt = ${dt}, steps = ${steps}, count = ${count};
+)",
+                             R"(
+function act(t, s) {
+${forces}}
 )",
                              R"(
 ${main}console.log(worst.toPrecision(9), '${unit}');
@@ -132,11 +140,12 @@ std::string without_unused(std::string text, std::string_view helpers) {
   return text;
 }
 
-extern const Dialect bullet, ode, jolt, rapier, mujoco3, havok, physx, crashcat, cannon;
+extern const Dialect bullet, ode, mujoco, simbody, dart, siconos, jolt, rapier, mujoco3, havok, physx,
+    crashcat, cannon;
 
 std::span<const Dialect* const> dialects() {
-  static constexpr std::array all = {&bullet, &ode,   &jolt,     &rapier, &mujoco3,
-                                     &havok,  &physx, &crashcat, &cannon};
+  static constexpr std::array all = {&bullet, &ode,     &mujoco, &simbody, &dart,     &siconos, &jolt,
+                                     &rapier, &mujoco3, &havok,  &physx,   &crashcat, &cannon};
   return all;
 }
 

@@ -14,9 +14,8 @@ let model, data, geom;
 function build(take) {
   let option = '', flag = '', solref = [0.02, 1], solimp = [0.9, 0.95, 0.001];
 ${world_settings}  geom = [];
-${shapes}  const integrator = {euler: 'Euler', implicit: 'implicit', rk4: 'RK4'}['${integrator}'];
-  let xml = '<mujoco><compiler angle="radian" inertiafromgeom="false"/>' +
-    '<option timestep="' + dt + '" gravity="' + text(gravity[take]) + '" integrator="' + integrator + '"' + option + '>' +
+${shapes}  let xml = '<mujoco><compiler angle="radian" inertiafromgeom="false"/>' +
+    '<option timestep="' + dt + '" gravity="' + text(gravity[take]) + '"' + option + '>' +
     '<flag filterparent="disable" autoreset="disable"' + flag + '/></option>' +
     '<default><geom condim="' + (${friction} > 0 ? 3 : 1) + '" friction="' + ${friction} + ' 0 0" solref="' + text(solref) +
     '" solimp="' + text(solimp) + '"/></default><worldbody>';
@@ -59,6 +58,8 @@ constexpr SettingRow settings[] = {
     {"filterparent", "", Where::program, ""},
     {"autoreset", "", Where::program, ""},
     {"springs, drag*", "", Where::program, ""},
+    {"integrator", "implicit", Where::world, "  option += ' integrator=\"implicit\"';\n"},
+    {"integrator", "rk4", Where::world, "  option += ' integrator=\"RK4\"';\n"},
     {"cone", "", Where::world, as_option},
     {"impratio", "", Where::world, as_option},
     {"noslip_iterations", "", Where::world, as_option},

@@ -127,10 +127,20 @@ class Writer {
 
   // ---- The rows --------------------------------------------------------------------------------------------------
 
+  // An integrator is told where it is not the engine's own; a row may name that one as well.
+  std::vector<core::Setting> told() const {
+    std::vector<core::Setting> all = terms_.settings;
+    const auto integrator = std::ranges::find(all, "integrator", &core::Setting::name);
+    if (integrator == all.end())
+      all.insert(all.begin(), {"integrator", terms_.integrator, terms_.integrator, ""});
+    else
+      std::rotate(all.begin(), integrator, integrator + 1);
+    return all;
+  }
+
   void settings() {
-    words_["integrator"] = terms_.integrator;
     for (const char* word : {"world_settings", "body_settings", "shape_settings"}) words_[word];
-    for (const core::Setting& setting : terms_.settings) {
+    for (const core::Setting& setting : told()) {
       words_[setting.name] = setting.value;
       const auto row = std::ranges::find_if(dialect_.settings, [&](const SettingRow& r) {
         const bool begins =
@@ -178,6 +188,9 @@ class Writer {
     out += language_.translated(constants);
     out += filled(dialect_.functions, words_);
     out += shared(laws(takes_[0]));
+    const bool forced = !words_["forces"].empty();
+    if (forced || dialect_.asks) out += filled(language_.act, words_);
+    words_["act"] = forced && !dialect_.asks ? "    act((k - 1) * dt, path[k - 1]);\n" : "";
     out += shared(run);
     out += shared(formula_.text);
     out += filled(language_.main,

@@ -66,9 +66,6 @@ class Saying : private Numbers {
 
   void scene() {
     const Scene& scene = takes_[0];
-    // A setting of an engine may have one of these names.
-    for (const char* part : {"shapes", "planes", "joints", "gaps", "forces", "potential"})
-      words_[part].clear();
     words_["count"] = std::to_string(scene.bodies.size());
     words_["bodies"] = list(scene.bodies, [&](const core::Body& b) { return body(b); });
     words_["starts"] = list(takes_, [&](const Scene& take) {
@@ -77,6 +74,9 @@ class Saying : private Numbers {
     words_["gravities"] = list(takes_, [&](const Scene& take) { return vector(core::gravity(take)); });
     words_["friction"] = number(scene.materials.empty() ? 0 : scene.materials[0].friction);
     words_["restitution"] = number(scene.materials.empty() ? 0 : scene.materials[0].restitution);
+    // Over settings of the same names.
+    for (const char* word : {"shapes", "planes", "joints", "gaps", "forces", "potential"})
+      words_[word].clear();
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
       const core::Body& body = scene.bodies[i];
       Words words{{"i", std::to_string(i)}};
@@ -86,6 +86,7 @@ class Saying : private Numbers {
     }
     for (std::size_t p = 0; p < scene.planes.size(); ++p) plane(p);
     for (std::size_t j = 0; j < scene.joints.size(); ++j) joint(j);
+    if (!dialect_.free_body.empty()) hang();
     forces();
   }
 
@@ -132,6 +133,24 @@ class Saying : private Numbers {
              "  } else {\n  " + filled(dialect_.plane, words(takes_[1].planes[p])) + "  }\n";
   }
 
+  // Bodies in their order, so that each comes after what it hangs from.
+  void hang() {
+    std::string& out = words_["joints"];
+    out.clear();
+    const Scene& scene = takes_[0];
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+      const std::string* by = nullptr;
+      for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+        const core::Joint& joint = scene.joints[j];
+        if (joint.body != static_cast<int>(i)) continue;
+        if (joint.to >= joint.body) throw None{"a joint hangs an earlier body from a later one"};
+        if (by) throw None{"a joint closes a loop"};
+        by = &joint_texts_[j];
+      }
+      out += by ? *by : filled(dialect_.free_body, {{"a", std::to_string(i)}});
+    }
+  }
+
   void joint(std::size_t j) {
     const core::Joint& joint = takes_[0].joints[j];
     const auto row = std::ranges::find(dialect_.joints, joint.type, &JointRow::type);
@@ -151,15 +170,22 @@ class Saying : private Numbers {
     const auto turned = [&](int body) {
       return vector(core::Quaternion(takes_[0].bodies[at(body)].initial.orientation.conjugate() * frame));
     };
-    Words words{{"a", std::to_string(joint.body)}, {"joint", fmt::format("joint{}", j)},
-                {"point", listed(joint.point)},    {"point_vector", vector(joint.point)},
-                {"axis", listed(joint.axis)},      {"axis_vector", vector(joint.axis)},
-                {"local_a", local(joint.body)},    {"axis_a", axis(joint.body)},
-                {"frame", vector(frame)},          {"frame_a", turned(joint.body)}};
-    if (joint.to != core::world)
-      words["b"] = std::to_string(joint.to), words["local_b"] = local(joint.to),
+    Words words{{"a", std::to_string(joint.body)},     {"b", std::to_string(joint.to)},
+                {"joint", fmt::format("joint{}", j)},  {"point", listed(joint.point)},
+                {"point_vector", vector(joint.point)}, {"axis", listed(joint.axis)},
+                {"axis_vector", vector(joint.axis)},   {"local_a", local(joint.body)},
+                {"axis_a", axis(joint.body)},          {"frame", vector(frame)},
+                {"frame_a", turned(joint.body)}};
+    if (joint.to != core::world) {
+      words["local_b"] = local(joint.to);
       words["axis_b"] = axis(joint.to), words["frame_b"] = turned(joint.to);
-    words_["joints"] += filled(joint.to == core::world ? row->to_world : row->to_body, words);
+      const core::BodyState &a = takes_[0].bodies[at(joint.body)].initial,
+                            &b = takes_[0].bodies[at(joint.to)].initial;
+      words["place"] = vector(Vector3(b.orientation.conjugate() * (a.position - b.position)));
+      words["turn"] = vector(b.orientation.conjugate() * a.orientation);
+    }
+    joint_texts_.push_back(filled(joint.to == core::world ? row->to_world : row->to_body, words));
+    words_["joints"] += joint_texts_.back();
     words["end"] = joint.to == core::world ? words["point_vector"]
                                            : filled("add(s[${b}].x, turn(s[${b}].q, ${local_b}))", words);
     words_["gaps"] +=
@@ -174,9 +200,8 @@ class Saying : private Numbers {
           [&]<class Kind>(const Kind& f) {
             if constexpr (std::is_same_v<Kind, core::Spring>) {
               const std::string far = vector(f.to_anchor);
-              calls += fmt::format("    spring(path[k - 1], {}, {}, {}, {}, {}, {}, {});\n", f.body,
-                                   vector(f.anchor), f.to, far, number(f.stiffness), number(f.rest_length),
-                                   number(f.damping));
+              calls += fmt::format("  spring(s, {}, {}, {}, {}, {}, {}, {});\n", f.body, vector(f.anchor),
+                                   f.to, far, number(f.stiffness), number(f.rest_length), number(f.damping));
               const auto end = [&](int body, const Vector3& anchor) {
                 return body == core::world
                            ? vector(anchor)
@@ -186,16 +211,14 @@ class Saying : private Numbers {
                                        potential.empty() ? "" : " + ", number(f.stiffness),
                                        end(f.to, f.to_anchor), end(f.body, f.anchor), number(f.rest_length));
             } else if constexpr (std::is_same_v<Kind, core::Drag>) {
-              calls += fmt::format("    drag(path[k - 1], {}, {}, {}, {});\n", f.body, number(f.linear),
+              calls += fmt::format("  drag(s, {}, {}, {}, {});\n", f.body, number(f.linear),
                                    number(f.angular), number(f.momentum));
             } else if constexpr (std::is_same_v<Kind, core::Thrust>) {
-              calls += fmt::format("    thrust(path[k - 1], {}, {});\n", f.body, vector(f.force));
+              calls += fmt::format("  thrust(s, {}, {});\n", f.body, vector(f.force));
             } else if constexpr (std::is_same_v<Kind, core::Drive>) {
-              calls += fmt::format("    drive((k - 1) * dt, {}, {}, {});\n", f.body, vector(f.force),
-                                   number(f.frequency));
+              calls += fmt::format("  drive(t, {}, {}, {});\n", f.body, vector(f.force), number(f.frequency));
             } else if constexpr (std::is_same_v<Kind, core::Attraction>) {
-              calls +=
-                  fmt::format("    attraction(path[k - 1], {}, {}, {});\n", f.body, f.to, number(f.strength));
+              calls += fmt::format("  attraction(s, {}, {}, {});\n", f.body, f.to, number(f.strength));
               potential +=
                   fmt::format("{}-({}) * body[{}].m * body[{}].m / norm(sub(s[{}].x, s[{}].x))",
                               potential.empty() ? "" : " + ", number(f.strength), f.body, f.to, f.body, f.to);
@@ -208,6 +231,7 @@ class Saying : private Numbers {
   const std::vector<Scene>& takes_;
   const Dialect& dialect_;
   Words& words_;
+  std::vector<std::string> joint_texts_;
 };
 
 }  // namespace

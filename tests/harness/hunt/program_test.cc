@@ -88,6 +88,35 @@ Trial pendulum() {
   return trial;
 }
 
+// Two trees: joints of the world and of bodies, which move as they let them.
+Trial branches() {
+  Trial trial{{}, 0.01, 80};
+  const auto joined = [&](const core::Shape& shape, core::JointType type, int to, const Vector3& point,
+                          const Vector3& away, const Vector3& spin) {
+    const int body = static_cast<int>(trial.scene.bodies.size());
+    core::BodyState of_world, *on = &of_world;
+    if (to != core::world) on = &trial.scene.bodies[static_cast<std::size_t>(to)].initial;
+    const Vector3 w = on->angular_velocity + spin;
+    const Vector3 v = on->velocity + on->angular_velocity.cross(point - on->position) + w.cross(away);
+    add(trial, shape, 1.3 + 0.4 * body, point + away, v, w, false);
+    trial.scene.bodies.back().initial.orientation =
+        core::Quaternion(0.5 + body, 0.36, -0.48, 0.1 * body).normalized();
+    trial.scene.joints.push_back(core::Joint{type, body, to, point, Vector3(0.6, 0, 0.8), 0});
+  };
+  using enum core::JointType;
+  const core::Box box{{0.1, 0.3, 0.2}};
+  joined(box, hinge, core::world, {0, 0.5, 0.1}, {0.2, -0.4, 0}, Vector3(0.6, 0, 0.8) * 1.5);
+  joined(core::Sphere{0.25}, ball, 0, {0.4, 0.1, 0.1}, {0.5, -0.1, 0.2}, {1, 2, -0.5});
+  joined(box, hinge, 1, {1, 0.2, 0.3}, {0.3, 0.1, -0.3}, Vector3(0.6, 0, 0.8) * -2.5);
+  joined(box, fixed, 0, {0.1, -0.3, 0.4}, {0.1, -0.2, 0.3}, {0, 0, 0});
+  joined(box, ball, core::world, {2, 0, 0}, {-0.2, 0.4, 0.3}, {1, -2, 0.5});
+  joined(box, fixed, core::world, {5, 0, 0}, {0.2, 0.4, 0.3}, {0, 0, 0});
+  add(trial, box, 2.1, {0.7, 1.9, 0.2}, {0.1, 0.4, 0.1}, {0.3, 3, 1}, false);
+  trial.scene.forces = {core::UniformGravity{{0.1, -9.7, 0.3}},
+                        core::Spring{2, {0.05, 0.1, 0.02}, 6, {0.1, 0, 0.3}, 45, 0.4, 0}};
+  return trial;
+}
+
 Trial falling_balls() {
   Trial trial{{}, 0.01, 60};
   add(trial, core::Sphere{0.2}, 1.3, {0, 0.5, 0}, {0.5, 0, 0.2}, {1, 2, 3}, true);
@@ -101,10 +130,21 @@ Trial falling_box() {
   return over_floor(trial, 0, 0.4);
 }
 
+// Which do not touch each other.
+Trial falling_links() {
+  Trial trial{{}, 0.01, 60};
+  add(trial, core::Sphere{0.2}, 1.3, {0, 0.5, 0}, {0.5, 0, 0.2}, {0, 0, 0}, true);
+  add(trial, core::Box{{0.1, 0.3, 0.2}}, 2.1, {0.4, 0.6, 0.1}, {0.5, 0, 0.2}, {0, 0, 0}, true);
+  trial.scene.joints = {core::Joint{core::JointType::ball, 1, 0, {0.2, 0.6, 0.1}, Vector3::UnitY(), 0}};
+  return over_floor(trial, 0.5, 0.3);
+}
+
 Trial falling_solids() {
   Trial trial{{}, 0.01, 60};
   add(trial, core::Capsule{0.15, 0.4}, 1.3, {0, 0.6, 0}, {0.5, 0, 0.2}, {1, 2, 3}, true);
-  add(trial, core::Cylinder{0.2, 0.5}, 2.1, {0.9, 0.5, 0.1}, {-0.4, 0.4, 0.1}, {0.3, 0, 1}, true);
+  add(trial, core::Cylinder{0.2, 0.3}, 1.7, {0.7, 0.6, 0.1}, {-0.6, 0.1, 0.2}, {1, -2, 3}, true);
+  add(trial, core::Box{{0.1, 0.3, 0.2}}, 1.3, {0, 0.6, 0.8}, {0.5, 0, -0.2}, {-1, 2, 3}, true);
+  add(trial, core::Sphere{0.2}, 1.1, {0.8, 0.5, 0.9}, {-0.5, 0, -0.4}, {1, 2, 3}, true);
   return over_floor(trial, 0, 0.4);
 }
 
@@ -175,6 +215,16 @@ const Case cases[] = {
     {"cannon-es/path=stand-in", "penetration", falling_box},
     {"cannon-es/path=as-shipped", "penetration", falling_balls},
     {"cannon-es/path=stand-in", "joint gap", pendulum},
+    {"mujoco/path=as-expert", "place", damped_springs},
+    {"mujoco", "energy", branches},
+    {"mujoco/path=as-expert", "penetration", falling_box},
+    {"mujoco", "relation rotation", falling_solids},
+    {"simbody", "place", damped_springs},
+    {"simbody/path=as-expert", "energy", branches},
+    {"dart", "energy", branches},
+    {"dart/path=as-expert,solver=pgs", "penetration", falling_links},
+    {"siconos/integrator=moreau-jean-implicit", "place", damped_springs},
+    {"siconos/path=as-expert", "penetration", falling_balls},
 };
 
 // What Cylon measures, as the first number of a fault.
@@ -255,6 +305,21 @@ TEST(ProgramOf, SaysWhatItCannotExpress) {
   EXPECT_EQ(why("bullet/solver=nncg", "rest", nothing), "no line for the setting constraint solver = nncg");
   EXPECT_EQ(why("ode/path=as-expert", "rest", nothing),
             "no line for the setting contact_mode = dContactApprox1 | dContactBounce | dContactFDir1");
+  EXPECT_EQ(why("dart/sweeps=7", "rest", nothing),
+            "no line for the setting PgsBoxedLcpSolver::Option::mMaxIteration = 7");
+  EXPECT_EQ(why("mujoco", "energy",
+                [](Trial& t) {
+                  t = pendulum();
+                  std::swap(t.scene.joints[1].body, t.scene.joints[1].to);
+                }),
+            "a joint hangs an earlier body from a later one");
+  EXPECT_EQ(why("mujoco", "energy",
+                [](Trial& t) {
+                  t = pendulum();
+                  t.scene.joints.push_back(t.scene.joints[1]);
+                  t.scene.joints.back().to = core::world;
+                }),
+            "a joint closes a loop");
 }
 
 }  // namespace
