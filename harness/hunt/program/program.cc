@@ -36,7 +36,13 @@ class Writer {
         numbers_(language_),
         formula_(formula),
         engine_(engine),
-        limits_(limits) {}
+        limits_(limits) {
+    // Of a fault of fine steps alone the coarse one shows nothing.
+    const auto& measured = card.fault.measured;
+    if (measured[0] <= card.fault.allowed) shown_ = std::ranges::max_element(measured) - measured.begin();
+    step_ = std::ldexp(card.trial.step, -static_cast<int>(shown_));
+    steps_ = card.trial.steps << shown_;
+  }
 
   Program written() {
     takes_ = {card_.trial.scene};
@@ -45,7 +51,7 @@ class Writer {
     Program program;
     program.prints = printed();
     settings();
-    words_["dt"] = Numbers::number(card_.trial.step), words_["steps"] = std::to_string(card_.trial.steps);
+    words_["dt"] = Numbers::number(step_), words_["steps"] = std::to_string(steps_);
     say_scene(takes_, dialect_, words_);
     if (formula_.oracle == "penetration") words_["depths"] = depths(takes_[0], language_);
     if (!required_.empty())
@@ -82,7 +88,7 @@ class Writer {
   core::Recording recorded(const Scene& scene) {
     process::RunOutcome last;
     const study::Runner run = study::worker_runner(engine_, limits_, &last);
-    core::Recording recording = run(scene, card_.trial.step, card_.trial.steps, 1);
+    core::Recording recording = run(scene, step_, steps_, 1);
     terms_ = recording.terms;
     return recording;
   }
@@ -90,7 +96,7 @@ class Writer {
   double printed() {
     const core::Recording one = recorded(takes_[0]);
     if (formula_.reduce == Reduce::sample) return at_worst_sample(one);
-    if (formula_.reduce != Reduce::pair) return card_.fault.measured[0];
+    if (formula_.reduce != Reduce::pair) return card_.fault.measured[static_cast<std::size_t>(shown_)];
     const core::Recording other = recorded(takes_[1]);
     double worst = 0;
     for (std::size_t k = 0; k < one.states.size(); ++k)
@@ -220,6 +226,9 @@ class Writer {
   Vector3 move_ = Vector3::Zero();
   State required_;
   core::Terms terms_;
+  std::ptrdiff_t shown_ = 0;  // of the measured ones
+  double step_ = 0;           // [s]
+  std::int64_t steps_ = 0;
   Words words_;
 };
 

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -227,8 +228,8 @@ const Case cases[] = {
     {"siconos/path=as-expert", "penetration", falling_balls},
 };
 
-// What Cylon measures, as the first number of a fault.
-Card measured_by_cylon(const Case& c) {
+// What Cylon measures, as the first number of a fault, or as that at a quarter of the step.
+Card measured_by_cylon(const Case& c, std::size_t halved = 0) {
   Card card;
   card.engine = c.engine, card.trial = c.scene(), card.fault.oracle = c.oracle, card.fault.says = "a test";
   card.signature = signature(card.fault, card.trial.scene);
@@ -238,8 +239,9 @@ Card measured_by_cylon(const Case& c) {
       fmt::format("[[claim]]\n{}\ntolerance = {{ absolute = 1e-3, reason = \"a test\" }}\n", oracle->claim);
   const scenario::Scenario scenario = scenario::parse(to_toml(card.trial, card.fault.claim), "test.toml");
   study::Cell cell;
-  cell.scenario = &scenario, cell.engine = engine(c.engine), cell.dt = card.trial.step, cell.dt_text = "test";
-  card.fault.measured[0] = study::run(cell, {}, {}).at(0).measured;
+  cell.scenario = &scenario, cell.engine = engine(c.engine),
+  cell.dt = std::ldexp(card.trial.step, -static_cast<int>(halved)), cell.dt_text = "test";
+  card.fault.measured[halved] = study::run(cell, {}, {}).at(0).measured;
   return card;
 }
 
@@ -259,6 +261,16 @@ std::string name_of(const testing::TestParamInfo<Case>& info) {
   return name;
 }
 
+// What it prints, compiled and run.
+std::string printed_by(const Program& program) {
+  const TemporaryFolder own;
+  const fs::path& folder = own.path();
+  std::ofstream(folder / program.file) << program.text;
+  const fs::path modules = fs::path(source_dir) / "reference/simulators/js/node_modules";
+  if (program.file.ends_with(".mjs")) fs::create_directory_symlink(modules, folder / "node_modules");
+  return output_of(fmt::format("cd {} && {}", folder.string(), program.command));
+}
+
 class ProgramOf : public testing::TestWithParam<Case> {};
 TEST_P(ProgramOf, PrintsWhatCylonMeasures) {
   const Case& c = GetParam();
@@ -270,17 +282,23 @@ TEST_P(ProgramOf, PrintsWhatCylonMeasures) {
   const Program& program = *written.program;
   EXPECT_GT(program.prints, 2 * allowed(c, program, card.trial.steps));  // a number to agree with
   EXPECT_GT(program.prints, 1e-6);
-  const TemporaryFolder own;
-  const fs::path& folder = own.path();
-  std::ofstream(folder / program.file) << program.text;
-  const fs::path modules = fs::path(source_dir) / "reference/simulators/js/node_modules";
-  if (program.file.ends_with(".mjs")) fs::create_directory_symlink(modules, folder / "node_modules");
-  const std::string out = output_of(fmt::format("cd {} && {}", folder.string(), program.command));
+  const std::string out = printed_by(program);
   EXPECT_NEAR(std::strtod(out.c_str(), nullptr), program.prints, allowed(c, program, card.trial.steps))
       << out << program.text;
   EXPECT_TRUE(out.ends_with(program.unit + "\n")) << out;
 }
 INSTANTIATE_TEST_SUITE_P(All, ProgramOf, testing::ValuesIn(cases), name_of);
+
+// A fault that only fine steps have is shown with one of them.
+TEST(ProgramOf, AFaultOfFineStepsHasSuchAStep) {
+  Card card = measured_by_cylon({"ode", "energy", springs}, 2);
+  card.fault.allowed = card.fault.measured[2] / 2;
+  const Written written = write_program(card, engine("ode"), {});
+  ASSERT_TRUE(written.program) << written.none;
+  EXPECT_EQ(written.program->prints, card.fault.measured[2]);
+  EXPECT_NEAR(std::strtod(printed_by(*written.program).c_str(), nullptr), card.fault.measured[2],
+              1e-6 * card.fault.measured[2]);
+}
 
 // What has no row is told, and gets no program that shows something else.
 TEST(ProgramOf, SaysWhatItCannotExpress) {
