@@ -1,7 +1,7 @@
 // Numbers of an earlier, independent measurement of Bullet, ODE, MuJoCo, Simbody, DART, Siconos and engines in Node
 // are reproduced, from the adapters, the exact solutions and the measures of this repository:
 // tests/data/published/{engines_s1_s8, bullet_ode_s9_s12, mujoco_s1_s11, simbody_s1_s8, dart_s1_s12, siconos_s2, wasm_s1_s12,
-// wasm_s10_s11, wasm_variants, engines_words}.json.
+// wasm_s10_s11, wasm_variants, wasm_ammo, engines_words}.json.
 //
 // A row that says `why` differs from what was printed.  `printed_of` names the setting or the sampling whose
 // digits were printed in its place: the test asserts that those digits come out, and that the row's own still
@@ -81,6 +81,7 @@ constexpr const char* of_siconos = "siconos_s2.json";
 constexpr const char* of_wasm = "wasm_s1_s12.json";
 constexpr const char* of_wasm_contacts = "wasm_s10_s11.json";
 constexpr const char* of_wasm_variants = "wasm_variants.json";
+constexpr const char* of_ammo = "wasm_ammo.json";
 constexpr const char* of_words = "engines_words.json";
 
 Vector3 vector(const json& at) {
@@ -379,6 +380,7 @@ TEST(PublishedNumbers, FewAreNotReproduced) {
   expect(of_contacts, 68, 18, 0);
   expect(of_wasm_contacts, 84, 28, 0);
   expect(of_wasm_variants, 31, 1, 0);
+  expect(of_ammo, 169, 26, 0);
   expect(of_words, 62, 3, 10);
 }
 
@@ -395,6 +397,7 @@ INSTANTIATE_TEST_SUITE_P(WasmOnS10AndS11, Published, testing::ValuesIn(published
                          number_name);
 INSTANTIATE_TEST_SUITE_P(WasmVariants, Published, testing::ValuesIn(published(of_wasm_variants)),
                          number_name);
+INSTANTIATE_TEST_SUITE_P(WasmAmmo, Published, testing::ValuesIn(published(of_ammo)), number_name);
 INSTANTIATE_TEST_SUITE_P(EnginesInWords, Published, testing::ValuesIn(published(of_words)), number_name);
 
 }  // namespace
