@@ -33,7 +33,7 @@ export const about = {
     'A step is four substeps: gravity acts in each (measured; no call sets or tells their number).',
     'Inverse masses and inverse moments have about 8 bits: up to 0.4 % of each. HP_Body_GetMassProperties tells what was set, so the adapter measures what is held, by an impulse before the start, and a remark says it.',
     'There is no gyroscopic torque and no switch for it (HavokPhysics.d.ts has none; a free body keeps its angular velocity).',
-    `A body slower than ${slow} m/s is braked, also where it never sleeps: at 0.09 m/s and without gravity by 0.3 m/s^2 (measured). No call sets it (HavokPhysics.d.ts). A sample that shows a body so slow says so.`,
+    `A body slower than ${slow} m/s is braked, also where it never sleeps: at 0.09 m/s and without gravity by 0.3 m/s^2 (measured). No call sets it (HavokPhysics.d.ts).`,
     'There is no call for a force or a torque, but for impulses (HavokPhysics.d.ts).',
     `There is no plane but a box: it ends ${plane_reach} m from the foot of the normal through the origin. A sample that shows a body past its edge says so.`,
     'No call sets iterations, contact margins, convex radii, thresholds of restitution or tolerances.',
@@ -183,7 +183,7 @@ class World {
     this.filters = new Filters(contacts);
     this.shapes = new Shapes(H);
     this.world = got(H, H.HP_World_Create());
-    this.all = [], this.constraints = [], this.past = new Map(), this.braked = new Map(), this.lost = new Map();  // remarks, by bodies
+    this.all = [], this.constraints = [], this.past = new Map(), this.lost = new Map();  // remarks, by bodies
     try {
       this.build();
     } catch (error) {
@@ -365,7 +365,6 @@ class World {
     const state = {position, orientation: [w, x, y, z], velocity: got(H, H.HP_Body_GetLinearVelocity(body)), spin: got(H, H.HP_Body_GetAngularVelocity(body))};
     this.left_out?.see(start, state, this.steps);
     if (start.touches) this.see_edge(start, position);
-    this.see_slow(start, norm(state.velocity));
     return state;
   }
 
@@ -376,12 +375,7 @@ class World {
         this.past.set(name, `'${name}', step ${this.steps}: it is past the edge of the box that stands for '${plane}'.`);
   }
 
-  see_slow({name}, speed) {
-    if (0 < speed && speed < slow && !this.braked.has(name))
-      this.braked.set(name, `'${name}', step ${this.steps}: it moves at ${speed.toPrecision(3)} m/s, and Havok brakes what is slower than ${slow} m/s.`);
-  }
-
-  remarks() { return [...this.lost.values(), ...this.past.values(), ...this.braked.values(), ...(this.rounded ? [this.rounded] : []), ...(this.left_out?.remarks() ?? [])]; }
+  remarks() { return [...this.lost.values(), ...this.past.values(), ...(this.rounded ? [this.rounded] : []), ...(this.left_out?.remarks() ?? [])]; }
 
   free() {
     const {H} = this;
