@@ -1,5 +1,7 @@
 #include "reports/advice_report.h"
 
+#include "harness/results/build.h"
+#include "reports/builds.h"
 #include "reports/json.h"
 #include "reports/text.h"
 
@@ -7,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <map>
 
 namespace cylon::reports {
 namespace {
@@ -75,6 +78,9 @@ std::string advice_text(const results::Advice& advice, const ConsoleOptions& opt
                   advice.scenario, advice.measure, advice.tolerance, advice.against, advice.duration,
                   advice.starts, advice.starts == 1 ? "" : "s"));
   for (const results::EngineAdvice& one : advice.engines) add(out, line(one, advice));
+  std::map<std::string, std::string> versions;
+  for (const results::EngineAdvice& one : advice.engines) versions[one.engine] = one.version;
+  out += costs_of_another_build(versions, options);
   if (advice.features.empty()) return out;
   add(out, fmt::format("\n{:<34} {:<17} {:>11} {:>11} {:>6}  {}\n", "cost of each part", "", "with s/s",
                        "without", "price", "effect on the motion"));
@@ -95,6 +101,8 @@ std::string advice_json(const results::Advice& advice, const Provenance& p) {
   Json engines = Json::array(), features = Json::array();
   for (const results::EngineAdvice& one : advice.engines)
     engines.push_back({{"engine", one.engine},
+                       {"version", one.version},
+                       {"build", results::build_of(one.version)},
                        {"pick", to_object(one.pick)},
                        {"margin", one.pick ? number(advice.tolerance / one.pick->error) : Json(nullptr)},
                        {"over_budget", one.over_budget},

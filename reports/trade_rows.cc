@@ -1,5 +1,6 @@
 // Common parts of the three renderings of a work–precision table: names, order texts, the plot.
 #include "harness/results/build.h"
+#include "reports/builds.h"
 #include "reports/text.h"
 #include "reports/trade_report.h"
 
@@ -41,16 +42,10 @@ std::string trade_label(const TradeTable& table, const TradeSeries& series) {
 }
 
 std::string costs_of_another_build(const std::vector<TradeTable>& tables, const ConsoleOptions& options) {
-  std::map<std::string, std::string> builds;
+  std::map<std::string, std::string> versions;
   for (const TradeTable& table : tables)
-    for (const TradeSeries& series : table.series) {
-      const std::string build = results::build_of(series.version);
-      if (!build.empty()) builds[engine_family(series.engine)] = build;
-    }
-  std::string text;
-  for (const auto& [engine, build] : builds)
-    text += shown(fmt::format("{}: costs of {}, not of native code.", engine, build), options) + '\n';
-  return text;
+    for (const TradeSeries& series : table.series) versions[series.engine] = series.version;
+  return costs_of_another_build(versions, options);
 }
 
 const TradePoint* cheapest(const TradeTable& table, const TradeSeries& series, double error) {

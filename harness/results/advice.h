@@ -22,7 +22,8 @@ struct Pick {
 
 /// What is said of one engine.
 struct EngineAdvice {
-  std::string engine;             ///< Its row: "bullet".
+  std::string engine;   ///< Its row: "bullet".
+  std::string version;  ///< Of what ran; "1.1.0 (WebAssembly in Node 20.20.2)" where it is no native code.
   std::optional<Pick> pick;       ///< The cheapest that meets the tolerance; nothing: not reachable.
   std::optional<Pick> runner_up;  ///< The next cheapest integrator or variant.
   std::optional<Pick> ten_times;  ///< The cheapest for a tenth of the tolerance, from the nominal start.

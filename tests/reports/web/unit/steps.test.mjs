@@ -4,6 +4,7 @@ import { test } from 'node:test';
 
 import { load } from '../bundle_for_test.mjs';
 
+const { buildOf, buildsNote } = await load('report/builds.tsx');
 const { digitsAt, foldSteps, isInHouse } = await load('report/steps/fold_steps.ts');
 
 const series = (engine, errors, change = {}) => ({
@@ -55,6 +56,22 @@ test('digits are of the coarsest tried step that is not coarser', () => {
   assert.equal(digitsAt(cell, 0.008).dt, 0.008);
   assert.equal(digitsAt(cell, 1e-5), null);
 });
+
+for (const [version, build] of [
+  ['3.24', ''],
+  ['1.1.0 (WebAssembly in Node 20.20.2)', 'WebAssembly in Node 20.20.2'],
+  ['0.0.3 (JavaScript in Node 20.20.2)', 'JavaScript in Node 20.20.2'],
+  ['', ''],
+])
+  test(`'${version}' is ${build || 'native code'}, and its column says so`, () => {
+    const [table] = trade.tables;
+    const [bullet, ours] = table.series;
+    const { builds } = foldSteps([{ ...trade, tables: [{ ...table, series: [{ ...bullet, version }, ours] }] }]);
+    assert.equal(buildOf(version), build);
+    assert.equal(builds.get('bullet') ?? '', build);
+    assert.equal(builds.get('in-house'), '');
+    assert.equal(buildsNote([...builds.values()]).includes(build || 'Costs'), build !== '');
+  });
 
 for (const [engine, ours] of [
   ['in-house', true],

@@ -1,5 +1,6 @@
 // Sweeps to a matrix of scenarios and engines: which step each engine needs (harness/results/step_matrix.h chooses).
 import type { Trade } from '../../shared/documents';
+import { buildOf } from '../builds';
 
 type Table = Trade['tables'][number];
 type Cells = NonNullable<Table['cells']>;
@@ -34,6 +35,7 @@ export interface StepRow {
 
 export interface StepMatrix {
   engines: string[];
+  builds: Map<string, string>; // by engine; '': native code
   rows: StepRow[];
 }
 
@@ -75,6 +77,7 @@ function cellOf(table: Table, cell: Cells[number], costs: Map<string, number | n
 /** Tables of programs that are older than the cells are left out. */
 export function foldSteps(trades: Trade[]): StepMatrix {
   const engines: string[] = [];
+  const builds = new Map<string, string>();
   const rows: StepRow[] = [];
   for (const trade of trades)
     for (const table of trade.tables) {
@@ -82,14 +85,17 @@ export function foldSteps(trades: Trade[]): StepMatrix {
       if (!table.cells || !measure) continue;
       const costs = costsOf(trade, table);
       const cells = table.cells.map((cell) => cellOf(table, cell, costs));
-      for (const { engine } of cells) if (!engines.includes(engine)) engines.push(engine);
+      for (const { engine, version } of cells) {
+        if (!engines.includes(engine)) engines.push(engine);
+        if (version) builds.set(engine, buildOf(version));
+      }
       rows.push({
         scenario: table.scenario,
         measure: `${measure.name} against ${measure.against}`,
         cells: new Map(cells.map((cell) => [cell.engine, cell])),
       });
     }
-  return { engines, rows };
+  return { engines, builds, rows };
 }
 
 export function isInHouse(engine: string): boolean {

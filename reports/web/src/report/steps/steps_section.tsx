@@ -4,6 +4,7 @@ import { useMemo } from 'preact/hooks';
 
 import type { Index } from '../../shared/documents';
 import { go, link, sectionAddress, useAddress } from '../address';
+import { Build, buildsNote } from '../builds';
 import { count, duration, short } from '../numbers';
 import { visible } from '../visible';
 import { digitsAt, foldSteps, isInHouse, type Reach, type StepCell, type StepMatrix } from './fold_steps';
@@ -88,6 +89,7 @@ function Table({ matrix, engines, at }: { matrix: StepMatrix; engines: string[];
             {engines.map((engine) => (
               <th key={engine} scope="col">
                 {visible(engine)}
+                <Build build={matrix.builds.get(engine) ?? ''} />
               </th>
             ))}
           </tr>
@@ -164,6 +166,7 @@ export function StepsSection({ index }: { index: Index }) {
               ? 'A line says: relative error; the coarsest of the tried steps that meets it, as the next finer ' +
                 'one does; CPU time per simulated second. \u2265: no coarser step was tried. '
               : 'Digits are -log10 of the relative error, at the coarsest tried step of at most the given one. '}
+            {chosen === null ? visible(buildsNote(engines.map((engine) => matrix.builds.get(engine) ?? ''))) : ''}
             no steps, closed form: the engine knows the motion as a formula of time, and a step says nothing of it.
             A scenario leads to its plot of error against cost.
           </p>
