@@ -1,6 +1,7 @@
 #include "reports/advice_report.h"
 
 #include "harness/results/build.h"
+#include "harness/results/substeps.h"
 #include "reports/builds.h"
 #include "reports/json.h"
 #include "reports/text.h"
@@ -18,7 +19,8 @@ using Json = nlohmann::ordered_json;
 using results::Pick;
 
 std::string named(const Pick& pick) {
-  return fmt::format("{} {} at {}", pick.engine, pick.integrator, pick.at);
+  return fmt::format("{} {} at {}", pick.engine, pick.integrator,
+                     results::with_substeps(pick.at, pick.substeps));
 }
 
 std::string cost(double value) { return std::isfinite(value) ? fmt::format("{:.1e} s/s", value) : "no time"; }
@@ -32,6 +34,7 @@ Json to_object(const std::optional<Pick>& pick) {
           {"at", pick->at},
           {"steps", pick->steps},
           {"dt", pick->dt},
+          {"substeps", pick->substeps},
           {"tolerance", pick->tolerance > 0 ? Json(pick->tolerance) : Json(nullptr)},
           {"error", number(pick->error)},
           {"cpu_seconds_per_second", number(pick->cost)}};

@@ -36,6 +36,9 @@ std::string order_text(const results::TradeTable&, const results::TradeSeries&);
 /// Of all series, as builds.h has it.
 std::string costs_of_another_build(const std::vector<results::TradeTable>&, const ConsoleOptions&);
 
+/// A line for each engine that makes several parts of a step: "rapier: 4 substeps in each step."
+std::string substeps_of(const std::vector<results::TradeTable>&, const ConsoleOptions&);
+
 /// The cheapest point with an error by the table's measure of at most `error`, or nullptr.  Without times the
 /// one of the fewest steps.
 const results::TradePoint* cheapest(const results::TradeTable&, const results::TradeSeries&, double error);

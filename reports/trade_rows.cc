@@ -1,5 +1,6 @@
 // Common parts of the three renderings of a work–precision table: names, order texts, the plot.
 #include "harness/results/build.h"
+#include "harness/results/substeps.h"
 #include "reports/builds.h"
 #include "reports/text.h"
 #include "reports/trade_report.h"
@@ -46,6 +47,19 @@ std::string costs_of_another_build(const std::vector<TradeTable>& tables, const 
   for (const TradeTable& table : tables)
     for (const TradeSeries& series : table.series) versions[series.engine] = series.version;
   return costs_of_another_build(versions, options);
+}
+
+std::string substeps_of(const std::vector<TradeTable>& tables, const ConsoleOptions& options) {
+  std::map<std::string, int> most;
+  for (const TradeTable& table : tables)
+    for (const TradeSeries& series : table.series)
+      if (series.substeps > 1) most[series.engine] = std::max(most[series.engine], series.substeps);
+  std::string text;
+  for (const auto& [engine, substeps] : most)
+    text +=
+        shown(fmt::format("{}: {} in each step.", engine, results::with_substeps("", substeps)), options) +
+        '\n';
+  return text;
 }
 
 const TradePoint* cheapest(const TradeTable& table, const TradeSeries& series, double error) {

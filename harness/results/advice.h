@@ -16,6 +16,7 @@ struct Pick {
   std::string at;                  ///< "5/1248 s", "tolerance 1e-04"
   std::int64_t steps = 0;
   double dt = 0, tolerance = 0;
+  int substeps = 1;  ///< Parts that the engine makes of each step, each with gravity.
   double error = std::numeric_limits<double>::quiet_NaN();  ///< Worst of the starts that it was run from.
   double cost = std::numeric_limits<double>::quiet_NaN();   ///< CPU seconds per simulated second.
 };

@@ -110,7 +110,7 @@ class Search {
     const Start& from = starts_[start];
     const Ran ran = measure_run(setting_, *from.scenario, *from.yardstick, row_.steps[i], row_.tolerances[i],
                                 options_.limits);
-    version_ = ran.version;
+    version_ = ran.version, substeps_ = ran.substeps;
     if (ran.path == "stepping" && !setting_.first_fixed && !setting_.asked)
       throw Cannot{"this path does not use this integrator"};
     if (ran.point.status == results::Status::unsupported) throw Cannot{ran.point.reason};
@@ -144,6 +144,7 @@ class Search {
   Pick pick(std::size_t i, double error) const {
     Pick p;
     p.engine = setting_.engine.id, p.integrator = setting_.integrator.name;
+    p.substeps = substeps_;
     p.steps = row_.steps[i], p.tolerance = row_.tolerances[i];
     p.dt = starts_.front().scenario->duration / static_cast<double>(p.steps);
     p.at = p.tolerance > 0 ? fmt::format("tolerance {:.1e}", p.tolerance)
@@ -158,6 +159,7 @@ class Search {
   Row row_;
   std::map<std::size_t, double> cpu_;
   std::string version_;
+  int substeps_ = 1;
 };
 
 std::string family(const std::string& id) { return id.substr(0, id.find('/')); }

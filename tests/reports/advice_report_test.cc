@@ -44,6 +44,17 @@ TEST(AdviceReport, TextSaysWhatBuildItsCostsAreOf) {
   EXPECT_EQ(text.find("ode: costs"), std::string::npos) << text;
 }
 
+TEST(AdviceReport, AStepIsNamedWithItsSubsteps) {
+  results::Advice all = advice();
+  all.engines[1].pick->substeps = 4;
+  const std::string text = advice_text(all, plain);
+  EXPECT_NE(text.find("jolt semi-implicit-euler at 1/500 s (4 substeps)\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("ode semi-implicit-euler at 1/500 s\n"), std::string::npos) << text;
+  const auto engines = nlohmann::json::parse(advice_json(all, {})).at("engines");
+  EXPECT_EQ(engines[0].at("pick").at("substeps"), 1);
+  EXPECT_EQ(engines[1].at("pick").at("substeps"), 4);
+}
+
 TEST(AdviceReport, JsonHasVersionAndBuildOfEachEngine) {
   const auto engines = nlohmann::json::parse(advice_json(advice(), {})).at("engines");
   const struct {

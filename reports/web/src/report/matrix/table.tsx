@@ -6,6 +6,7 @@ import type { Cell, Column, Row } from '../fold';
 import { digitsText } from '../numbers';
 import { isMeasured, looks } from '../status';
 import { Differs, spoken } from '../status_mark';
+import { withSubsteps } from '../substeps';
 import { visible } from '../visible';
 import { useGridKeys } from './grid_keys';
 import { memo } from './memo';
@@ -124,6 +125,7 @@ export function MatrixTable({ columns, shown, rows, titles, version }: TableProp
             {shown.map((j) => (
               <th key={j} scope="col">
                 {parted(visible(columns[j]!.label))}
+                {columns[j]!.substeps > 1 ? <span class="title">{withSubsteps('', columns[j]!.substeps)}</span> : null}
               </th>
             ))}
           </tr>

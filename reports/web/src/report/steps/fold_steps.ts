@@ -21,6 +21,7 @@ export interface StepCell {
   order: number | null; // observed
   closedForm: boolean;
   adaptive: boolean;
+  substeps: number; // in each step
   refusal: string; // "": the engine runs the scene
   avoidable: string; // engines that can run what this one refuses
   reach: Reach[];
@@ -67,6 +68,7 @@ function cellOf(table: Table, cell: Cells[number], costs: Map<string, number | n
     order: of.observed_order,
     closedForm: of.closed_form ?? false,
     adaptive: of.adaptive,
+    substeps: of.substeps ?? 1,
     refusal: cell.refusal,
     avoidable: cell.avoidable,
     reach,

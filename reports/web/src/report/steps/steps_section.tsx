@@ -6,6 +6,7 @@ import type { Index } from '../../shared/documents';
 import { go, link, sectionAddress, useAddress } from '../address';
 import { Build, buildsNote } from '../builds';
 import { count, duration, short } from '../numbers';
+import { withSubsteps } from '../substeps';
 import { visible } from '../visible';
 import { digitsAt, foldSteps, isInHouse, type Reach, type StepCell, type StepMatrix } from './fold_steps';
 
@@ -14,7 +15,7 @@ const steps = [0.01, 0.001, 0.0001]; // at which digits are offered [s]
 function stepText(cell: StepCell, reach: Reach): string {
   if (cell.closedForm) return 'no steps';
   if (reach.tolerance !== null) return `tolerance ${short(reach.tolerance, 2)}`;
-  return `${reach.coarsestTried ? '\u2265 ' : ''}${duration(reach.step)}`;
+  return withSubsteps(`${reach.coarsestTried ? '\u2265 ' : ''}${duration(reach.step)}`, cell.substeps);
 }
 
 function ReachRow({ cell, reach }: { cell: StepCell; reach: Reach }) {
@@ -74,7 +75,7 @@ function Digits({ cell, dt }: { cell: StepCell; dt: number }) {
   if (!at) return <span class="why">no finite error</span>;
   return (
     <>
-      <span class="number">{at.digits.toFixed(1)}</span> <span class="why">at {duration(at.dt)}</span>
+      <span class="number">{at.digits.toFixed(1)}</span> <span class="why">at {withSubsteps(duration(at.dt), cell.substeps)}</span>
     </>
   );
 }
