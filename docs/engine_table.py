@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """The table of all engines in README.md: measures it, or writes it from what was measured.
 
-    docs/engine_table.py [--cylon build/release/cylon]
+    docs/engine_table.py [--cylon build/release/cylon] [--row TITLE]
 
 measures, which takes half an hour to an hour: `cylon matrix` on each scene of the suite conformance, in build/engine-table, where a
 call goes on that was interrupted.  The numbers of each scene go to docs/engine_table.json as soon as they are there.
+--row measures the engine of one row alone, with a date and a load of its own, and leaves the other rows as they are.
 docs/update.py writes the table from these, names the scenes that were not measured, and checks that no engine is missing.
 """
 import argparse
@@ -18,23 +19,25 @@ import tomllib
 root = pathlib.Path(__file__).resolve().parent.parent
 numbers = root / "docs" / "engine_table.json"
 
-# Title, engine as measured, and the engines of engines.txt for which the row stands.  Settings and integrator as an expert
-# sets them, where there is such a path, else the engine's default integrator.  A stand-in runs what the engine has no concept of, in a labelled way.
+# Title, engines as measured, and the engines of engines.txt for which the row stands.  Settings and integrator as an expert
+# sets them, where there is such a path, else the engine's default integrator.  Of several engines as measured a scene shows the better:
+# MuJoCo 3 has no path as-expert, and an expert takes Runge-Kutta 4, as path=as-expert of MuJoCo 2.2 does, but where forces of the scene act, which
+# MuJoCo 3 gets for a step at once, Euler's scheme, its default.  A stand-in runs what the engine has no concept of, in a labelled way.
 families = [
-    ("in-house", "in-house", ["in-house", "in-house-float"]),
-    ("Bullet", "bullet/path=as-expert", ["bullet", "bullet-float", "bullet-multibody", "bullet-multibody-float"]),
-    ("ODE", "ode/path=as-expert", ["ode", "ode-quick"]),
-    ("MuJoCo 2.2", "mujoco/path=as-expert", ["mujoco"]),
-    ("Simbody", "simbody/path=as-expert", ["simbody"]),
-    ("DART", "dart/path=as-expert", ["dart"]),
-    ("Siconos", "siconos/path=as-expert", ["siconos"]),
-    ("Jolt", "jolt", ["jolt"]),
-    ("Rapier", "rapier", ["rapier"]),
-    ("MuJoCo 3", "mujoco3", ["mujoco3"]),
-    ("Havok", "havok/path=stand-in", ["havok"]),
-    ("PhysX", "physx", ["physx"]),
-    ("crashcat", "crashcat", ["crashcat"]),
-    ("cannon-es", "cannon-es/path=stand-in", ["cannon-es"]),
+    ("in-house", ["in-house"], ["in-house", "in-house-float"]),
+    ("Bullet", ["bullet/path=as-expert"], ["bullet", "bullet-float", "bullet-multibody", "bullet-multibody-float"]),
+    ("ODE", ["ode/path=as-expert"], ["ode", "ode-quick"]),
+    ("MuJoCo 2.2", ["mujoco/path=as-expert"], ["mujoco"]),
+    ("Simbody", ["simbody/path=as-expert"], ["simbody"]),
+    ("DART", ["dart/path=as-expert"], ["dart"]),
+    ("Siconos", ["siconos/path=as-expert"], ["siconos"]),
+    ("Jolt", ["jolt"], ["jolt"]),
+    ("Rapier", ["rapier"], ["rapier"]),
+    ("MuJoCo 3", ["mujoco3", "mujoco3/integrator=rk4"], ["mujoco3"]),
+    ("Havok", ["havok/path=stand-in"], ["havok"]),
+    ("PhysX", ["physx"], ["physx"]),
+    ("crashcat", ["crashcat"], ["crashcat"]),
+    ("cannon-es", ["cannon-es/path=stand-in"], ["cannon-es"]),
 ]
 errors = [1e-2, 1e-3]
 # What the scenes of the suite are of.
@@ -46,8 +49,15 @@ kinds = {
     "a top on a joint": ["heavy_top"],
 }
 finest = 0.00025  # [s]
-options = [*(word for _, engine, _ in families for word in ("--engine", engine)),
-           "--finest", str(finest), "--rounds", "1", "--timeout", "600"]
+nothing_ran = 4  # exit code where the engine of a row refuses the scene
+how = ["--finest", str(finest), "--rounds", "1", "--timeout", "600"]
+
+
+def words_of(families):
+    return [*(word for _, engines, _ in families for engine in engines for word in ("--engine", engine)), *how]
+
+
+options = words_of(families)
 
 
 # ---- Measuring ------------------------------------------------------------------------------------------
@@ -57,7 +67,7 @@ def reached(table, cell, times):
     if cell["refusal"]:
         return {"refused": cell["refusal"]}
     series = table["series"][cell["series"]]
-    result = {"closed_form": series["closed_form"], "reach": [], "lost": sum(p["status"] == "timeout" for p in series["points"])}
+    result = {"closed_form": series["closed_form"], "substeps": series["substeps"], "reach": [], "lost": sum(p["status"] == "timeout" for p in series["points"])}
     for reach in cell["reach"]:
         if reach["error"] not in errors:
             continue
@@ -70,17 +80,25 @@ def reached(table, cell, times):
     return result
 
 
-def reduced(document):
-    """One scene: its engines by title, with the versions that ran."""
+def reduced(document, families):
+    """One scene: engines by title, with the versions that ran."""
     times = {(t["scenario"], t["engine"], t["integrator"], t["dt_text"], t["tolerance"]): t for t in document["times"]}
     table = document["tables"][0]
     result = {}
-    for title, engine, _ in families:
-        cell = next((c for c in table["cells"] if table["series"][c["series"]]["engine"] == engine), None)
-        if cell is None:
-            sys.exit(f"docs/engine_table.py: no cell of {engine} on {table['scenario']}")
-        result[title] = {"version": table["series"][cell["series"]]["version"], **reached(table, cell, times)}
+    for title, names, _ in families:
+        rows = []
+        for engine in names:
+            cell = next((c for c in table["cells"] if table["series"][c["series"]]["engine"] == engine), None)
+            if cell is None:
+                sys.exit(f"docs/engine_table.py: no cell of {engine} on {table['scenario']}")
+            rows.append({"engine": engine, "version": table["series"][cell["series"]]["version"], **reached(table, cell, times)})
+        result[title] = max(rows, key=merit)  # the first of equals
     return result
+
+
+def merit(row):
+    """The greater, the better: an engine that meets an error at a coarser step, the larger error first."""
+    return [reach.get("step", 0) for reach in row.get("reach", [])]
 
 
 def keep(scene, document, load):
@@ -88,8 +106,27 @@ def keep(scene, document, load):
     data = json.loads(numbers.read_text()) if numbers.exists() else {"scenes": {}}
     provenance = document["provenance"]
     data["scenes"][scene] = {"machine": provenance["machine"], "date": provenance["date"][:10], "load": round(load),
-                             "options": " ".join(options), "engines": reduced(document)}
+                             "options": " ".join(options), "engines": reduced(document, families)}
     data["scenes"] = {name: data["scenes"][name] for name in suite() if name in data["scenes"]}
+    numbers.write_text(json.dumps(data, indent=1) + "\n")
+
+
+def is_row_alone(stored, family):
+    """Whether all other rows of a scene were measured as they are asked for here."""
+    asked = words_of([other for other in families if other is not family])
+    return list(stored["engines"]) == [title for title, _, _ in families] and set(asked) <= set(stored["options"].split())
+
+
+def keep_row(scene, document, load, family):
+    """Puts one row in the place of that which is there, of a scene whose other rows were measured as they are asked for."""
+    data = json.loads(numbers.read_text())
+    stored = data["scenes"].get(scene)
+    if stored is None or not is_row_alone(stored, family):
+        sys.exit(f"docs/engine_table.py: {scene} was measured by another command, in more than this row: measure all rows")
+    provenance = document["provenance"]
+    [(title, row)] = reduced(document, [family]).items()
+    stored["engines"][title] = {**row, "machine": provenance["machine"], "date": provenance["date"][:10], "load": round(load)}
+    stored["options"] = " ".join(options)
     numbers.write_text(json.dumps(data, indent=1) + "\n")
 
 
@@ -100,14 +137,20 @@ def suite():
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--cylon", default="build/release/cylon")
-    cylon = str((root / parser.parse_args().cylon).resolve())
-    folder = root / "build" / "engine-table"
+    parser.add_argument("--row", choices=[title for title, _, _ in families], help="measure the engine of this row alone")
+    asked = parser.parse_args()
+    cylon = str((root / asked.cylon).resolve())
+    family = next((family for family in families if family[0] == asked.row), None)
+    words = words_of([family]) if family else options
+    folder = root / "build" / ("engine-table-row" if family else "engine-table")
     folder.mkdir(parents=True, exist_ok=True)
     for scene in suite():
         load = os.getloadavg()[0]
-        if subprocess.run([cylon, "matrix", scene, *options, "--resume", "--json", "matrix.json"], cwd=folder).returncode != 0:
+        code = subprocess.run([cylon, "matrix", scene, *words, "--resume", "--json", "matrix.json"], cwd=folder).returncode
+        if code not in (0, nothing_ran):
             sys.exit("docs/engine_table.py: not finished; call it again to go on")
-        keep(scene, json.loads((folder / "matrix.json").read_text()), max(load, os.getloadavg()[0]))
+        document, load = json.loads((folder / "matrix.json").read_text()), max(load, os.getloadavg()[0])
+        keep_row(scene, document, load, family) if family else keep(scene, document, load)
     print("now run docs/update.py")
 
 
@@ -164,6 +207,8 @@ def block(_):
     for title, engine in engines.items():
         cost = step_cost(engine)
         label = " †" if any("Node" in scene["version"] for scene in engine["scenes"].values()) else ""
+        substeps = max(scene.get("substeps", 1) for scene in engine["scenes"].values())
+        label += f" ({substeps} substeps)" if substeps > 1 else ""
         lines.append(f"| {title}{label} | {best_at(engine)} | {'–' if cost is None else f'{1e6 * cost:.2g}'} | " +
                      " | ".join(cell(scene) for scene in engine["scenes"].values()) + " |")
     left = [name for name in suite() if name not in measured_scenes]
@@ -172,12 +217,15 @@ def block(_):
     lost = sum(scene.get("lost", 0) for engine in engines.values() for scene in engine["scenes"].values())
     if lost:
         lines += ["", f"{lost} runs did not start or end in time; their steps count as not met."]
-    machines = sorted({scene["machine"] for scene in measured_scenes.values()})
-    dates = sorted({scene["date"] for scene in measured_scenes.values()})
-    load = max(scene["load"] for scene in measured_scenes.values())
+    alone = [title for title, engine in engines.items() if any("date" in row for row in engine["scenes"].values())]
+    runs = [*measured_scenes.values(), *(row for engine in engines.values() for row in engine["scenes"].values() if "date" in row)]
+    machines, dates = sorted({run["machine"] for run in runs}), sorted({run["date"] for run in runs})
+    load = max(run["load"] for run in runs)
     lines += ["", f"Measured on {', '.join(machines)}, {', '.join(dates)}, while the machine had a load average of up to {load}.\nCPU times "
               "depend on that by caches and clocks, steps only where a run was lost. `docs/engine_table.py` calls, for each scene,", "",
               "```", *wrapped("cylon matrix SCENE " + " ".join(options)), "```"]
+    if alone:
+        lines += ["", f"Measured after the others, each row alone (`--row`): {', '.join(alone)}."]
     return "\n".join(lines)
 
 

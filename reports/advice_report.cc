@@ -1,5 +1,8 @@
 #include "reports/advice_report.h"
 
+#include "harness/results/build.h"
+#include "harness/results/substeps.h"
+#include "reports/builds.h"
 #include "reports/json.h"
 #include "reports/text.h"
 
@@ -7,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <map>
 
 namespace cylon::reports {
 namespace {
@@ -15,7 +19,8 @@ using Json = nlohmann::ordered_json;
 using results::Pick;
 
 std::string named(const Pick& pick) {
-  return fmt::format("{} {} at {}", pick.engine, pick.integrator, pick.at);
+  return fmt::format("{} {} at {}", pick.engine, pick.integrator,
+                     results::with_substeps(pick.at, pick.substeps));
 }
 
 std::string cost(double value) { return std::isfinite(value) ? fmt::format("{:.1e} s/s", value) : "no time"; }
@@ -29,6 +34,7 @@ Json to_object(const std::optional<Pick>& pick) {
           {"at", pick->at},
           {"steps", pick->steps},
           {"dt", pick->dt},
+          {"substeps", pick->substeps},
           {"tolerance", pick->tolerance > 0 ? Json(pick->tolerance) : Json(nullptr)},
           {"error", number(pick->error)},
           {"cpu_seconds_per_second", number(pick->cost)}};
@@ -75,6 +81,9 @@ std::string advice_text(const results::Advice& advice, const ConsoleOptions& opt
                   advice.scenario, advice.measure, advice.tolerance, advice.against, advice.duration,
                   advice.starts, advice.starts == 1 ? "" : "s"));
   for (const results::EngineAdvice& one : advice.engines) add(out, line(one, advice));
+  std::map<std::string, std::string> versions;
+  for (const results::EngineAdvice& one : advice.engines) versions[one.engine] = one.version;
+  out += costs_of_another_build(versions, options);
   if (advice.features.empty()) return out;
   add(out, fmt::format("\n{:<34} {:<17} {:>11} {:>11} {:>6}  {}\n", "cost of each part", "", "with s/s",
                        "without", "price", "effect on the motion"));
@@ -95,6 +104,8 @@ std::string advice_json(const results::Advice& advice, const Provenance& p) {
   Json engines = Json::array(), features = Json::array();
   for (const results::EngineAdvice& one : advice.engines)
     engines.push_back({{"engine", one.engine},
+                       {"version", one.version},
+                       {"build", results::build_of(one.version)},
                        {"pick", to_object(one.pick)},
                        {"margin", one.pick ? number(advice.tolerance / one.pick->error) : Json(nullptr)},
                        {"over_budget", one.over_budget},

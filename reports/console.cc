@@ -1,5 +1,6 @@
 #include "reports/console.h"
 
+#include "harness/results/substeps.h"
 #include "reports/sentence.h"
 #include "reports/text.h"
 #include "reports/verdict_matrix.h"
@@ -24,7 +25,7 @@ std::string heading(const Verdict& v, const ConsoleOptions& options) {
   std::string text = fmt::format("{} {} {}", v.scenario, options.utf8 ? "×" : "x", v.engine);
   if (!v.version.empty()) text += fmt::format(" {}", v.version);
   if (!v.precision.empty()) text += fmt::format(" ({})", v.precision);
-  if (!v.dt_text.empty()) text += fmt::format(", dt {}", v.dt_text);
+  if (!v.dt_text.empty()) text += fmt::format(", dt {}", results::with_substeps(v.dt_text, v.substeps));
   if (!v.integrator.empty()) text += fmt::format(", {}", v.integrator);
   return shown(text, options);
 }

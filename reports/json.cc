@@ -147,6 +147,12 @@ results::Bounds bounds(const Row& row, const char* key) {
   return {ends[0], ends[1]};
 }
 
+int substeps_from(const Row& row) {
+  const std::int64_t parts = row.integer("substeps");
+  if (parts < 1 || parts > std::numeric_limits<int>::max()) row.refuse("substeps", "must be at least 1");
+  return static_cast<int>(parts);
+}
+
 Verdict from_row(const Json& json, const std::string& place) {
   if (!json.is_object()) throw core::InputError(place + ": a verdict must be an object");
   const Row row{json, place};
@@ -163,6 +169,7 @@ Verdict from_row(const Json& json, const std::string& place) {
   v.unforceable = row.strings("unforceable");
   v.integrator = row.string("integrator");
   v.closed_form = row.boolean("closed_form");
+  if (json.contains("substeps")) v.substeps = substeps_from(row);  // older rows lack it
   v.dt = row.real("dt");
   v.dt_text = row.string("dt_text");
   v.sampling = row.string("sampling");
@@ -260,6 +267,7 @@ Json row(const Verdict& v) {
           {"unforceable", Json(v.unforceable)},
           {"integrator", v.integrator},
           {"closed_form", v.closed_form},
+          {"substeps", v.substeps},
           {"dt", number(v.dt)},
           {"dt_text", v.dt_text},
           {"sampling", v.sampling},

@@ -125,7 +125,7 @@ std::string steps_text(const std::vector<TradeTable>& tables, const ConsoleOptio
   if (bound) out += options.utf8 ? "≥: no coarser step was tried.\n" : ">=: no coarser step was tried.\n";
   if (closed) out += "no steps: the engine has the motion in closed form; a step says nothing of it.\n";
   if (tolerance) out += "tol: the integrator chooses its steps; this is the loosest tolerance that serves.\n";
-  return out + costs_of_another_build(tables, options);
+  return out + substeps_of(tables, options) + costs_of_another_build(tables, options);
 }
 
 std::string digits_text(const std::vector<TradeTable>& tables, double dt, const ConsoleOptions& options) {
@@ -171,7 +171,8 @@ std::string digits_text(const std::vector<TradeTable>& tables, double dt, const 
          fmt::format(
              "\nDigits: -log10 of the relative error at the coarsest tried step of at most {}; -: no run at "
              "such a step.\n",
-             seconds(dt, options));
+             seconds(dt, options)) +
+         substeps_of(tables, options);
 }
 
 nlohmann::ordered_json steps_json(const TradeTable& table) {

@@ -1,5 +1,6 @@
 #include "reports/steps_tables.h"
 
+#include "harness/results/substeps.h"
 #include "reports/plain_tables.h"
 
 #include <fmt/format.h>
@@ -29,8 +30,10 @@ std::string step(const Json& series, const Json& reach) {
   const bool adaptive = part(series, "adaptive") == true;
   const Json& value = part(point, adaptive ? "tolerance" : "dt");
   if (!value.is_number()) return "?";
-  return adaptive ? fmt::format("tolerance {:.2g}", value.get<double>())
-                  : fmt::format("{:.3g} s", value.get<double>());
+  if (adaptive) return fmt::format("tolerance {:.2g}", value.get<double>());
+  const Json& substeps = part(series, "substeps");
+  return results::with_substeps(fmt::format("{:.3g} s", value.get<double>()),
+                                substeps.is_number_integer() ? substeps.get<int>() : 1);
 }
 
 std::string row(const Json& table, const Json& cell) {

@@ -45,6 +45,7 @@ Json to_object(const TradeTable& table, const TradeSeries& series) {
           {"gyroscopic", series.gyroscopic},
           {"adaptive", series.adaptive},
           {"closed_form", series.closed_form},
+          {"substeps", series.substeps},
           {"declared_order", series.declared},
           {"observed_order", number(series.order)},
           {"floor", number(series.floor)},
@@ -113,7 +114,7 @@ std::string trade_csv(const std::vector<TradeTable>& tables) {
       if (std::find(names.begin(), names.end(), m.name) == names.end()) names.push_back(m.name);
   std::string out =
       "scenario,engine,integrator,version,precision,path,gyroscopic,declared_order,observed_order,steps,dt,"
-      "dt_text,tolerance,status,reason";
+      "dt_text,substeps,tolerance,status,reason";
   for (const std::string& name : names) out += ",error_" + name;
   out += ",step_seconds,load_seconds,cpu_seconds_per_second,seconds_per_body_step,on_front,dominated_by\r\n";
   for (const TradeTable& table : tables)
@@ -122,10 +123,10 @@ std::string trade_csv(const std::vector<TradeTable>& tables) {
         for (const std::string& word : {table.scenario, series.engine, series.integrator, series.version,
                                         series.precision, series.path, series.gyroscopic})
           out += csv_field(word) + ',';
-        out += fmt::format("{},{},{},{},{},{},{},{}", series.adaptive ? "" : std::to_string(series.declared),
-                           real(series.order), p.steps, real(p.dt), csv_field(p.dt_text),
-                           p.tolerance > 0 ? real(p.tolerance) : "", results::name(p.status),
-                           csv_field(p.reason));
+        out += fmt::format(
+            "{},{},{},{},{},{},{},{},{}", series.adaptive ? "" : std::to_string(series.declared),
+            real(series.order), p.steps, real(p.dt), csv_field(p.dt_text), series.substeps,
+            p.tolerance > 0 ? real(p.tolerance) : "", results::name(p.status), csv_field(p.reason));
         for (const std::string& name : names) {
           out += ',';
           for (std::size_t i = 0; i < p.errors.size(); ++i)

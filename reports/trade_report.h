@@ -33,9 +33,11 @@ std::string trade_label(const results::TradeTable&, const results::TradeSeries&)
 /// "4.01, floor 3e-13 from 5/1248", "0.99, best 2e-3 at 5/39936", "never near, best 3e+00 at …".
 std::string order_text(const results::TradeTable&, const results::TradeSeries&);
 
-/// A line for each engine whose version says in brackets what runs it, "1.1.0 (WebAssembly in Node 20.20.2)": its costs
-/// are of that, and not those of its native library.
+/// Of all series, as builds.h has it.
 std::string costs_of_another_build(const std::vector<results::TradeTable>&, const ConsoleOptions&);
+
+/// A line for each engine that makes several parts of a step: "rapier: 4 substeps in each step."
+std::string substeps_of(const std::vector<results::TradeTable>&, const ConsoleOptions&);
 
 /// The cheapest point with an error by the table's measure of at most `error`, or nullptr.  Without times the
 /// one of the fewest steps.

@@ -1,5 +1,7 @@
 // Common parts of the three renderings of a work–precision table: names, order texts, the plot.
 #include "harness/results/build.h"
+#include "harness/results/substeps.h"
+#include "reports/builds.h"
 #include "reports/text.h"
 #include "reports/trade_report.h"
 
@@ -41,15 +43,22 @@ std::string trade_label(const TradeTable& table, const TradeSeries& series) {
 }
 
 std::string costs_of_another_build(const std::vector<TradeTable>& tables, const ConsoleOptions& options) {
-  std::map<std::string, std::string> builds;
+  std::map<std::string, std::string> versions;
   for (const TradeTable& table : tables)
-    for (const TradeSeries& series : table.series) {
-      const std::string build = results::build_of(series.version);
-      if (!build.empty()) builds[engine_family(series.engine)] = build;
-    }
+    for (const TradeSeries& series : table.series) versions[series.engine] = series.version;
+  return costs_of_another_build(versions, options);
+}
+
+std::string substeps_of(const std::vector<TradeTable>& tables, const ConsoleOptions& options) {
+  std::map<std::string, int> most;
+  for (const TradeTable& table : tables)
+    for (const TradeSeries& series : table.series)
+      if (series.substeps > 1) most[series.engine] = std::max(most[series.engine], series.substeps);
   std::string text;
-  for (const auto& [engine, build] : builds)
-    text += shown(fmt::format("{}: costs of {}, not of native code.", engine, build), options) + '\n';
+  for (const auto& [engine, substeps] : most)
+    text +=
+        shown(fmt::format("{}: {} in each step.", engine, results::with_substeps("", substeps)), options) +
+        '\n';
   return text;
 }
 

@@ -120,7 +120,7 @@ std::string trade_text(const TradeTable& table, const ConsoleOptions& options, b
   out +=
       "\n"
       "p: order that the engine declares. @: CPU seconds per simulated second to reach this error.\n";
-  out += costs_of_another_build({table}, options);
+  out += substeps_of({table}, options) + costs_of_another_build({table}, options);
 
   std::map<std::string, Front> fronts;  // by build; that of native code first
   for (const TradeSeries& series : table.series)

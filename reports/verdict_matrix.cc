@@ -1,5 +1,6 @@
 #include "reports/verdict_matrix.h"
 
+#include "harness/results/substeps.h"
 #include "reports/sentence.h"
 #include "reports/text.h"
 
@@ -77,6 +78,7 @@ void join(Cell& cell, const Verdict& v) {
   if (is_measured(v.status)) cell.digits = std::min(cell.digits, results::digits(v.measured, v.allowed));
   cell.differs |= !v.as_expected();
   cell.closed_form |= v.closed_form;
+  cell.substeps = std::max(cell.substeps, v.substeps);
   cell.empty = false;
 }
 
@@ -245,6 +247,12 @@ std::string legend(const Matrix& matrix, const ConsoleOptions& options) {
     add("+1.0:", "log10(allowed / measured) of the worst claim: + is better than allowed, - is worse");
   if (closed_form) add("=:", "no steps: the engine has the motion in closed form");
   if (differs) add("!", "differs from expected.toml");
+  for (std::size_t j = 0; j < matrix.engines.size(); ++j) {
+    int most = 1;
+    for (const auto& row : matrix.cells) most = std::max(most, row[j].substeps);
+    if (most > 1)
+      add(shown(matrix.engines[j], options) + ":", results::with_substeps("", most) + " in each step");
+  }
   return out.empty() ? "" : out + "\n";
 }
 

@@ -16,6 +16,7 @@ struct Cell {
   double digits = 99;        ///< Least over the measured claims.
   bool differs = false;      ///< Some claim is not as expected.
   bool closed_form = false;  ///< The engine took no steps.
+  int substeps = 1;          ///< That the engine made of each step.
   bool empty = true;
   std::vector<std::string>
       passed_by;  ///< Of a refusal: the columns that pass the same row, so that it is avoidable.

@@ -89,6 +89,8 @@ struct Terms {
   std::vector<std::string> unforceable;
   std::vector<Stage> plan;   ///< What the engine does for this scene, in its order; empty: it does not tell.
   bool closed_form = false;  ///< States are formulas of time: no steps, and dt is the sample grid alone.
+  int substeps =
+      1;  ///< Parts of each step, each with gravity of its own: the engine's real step is dt over this.
 };
 
 /// Whether a run on these terms chose its own steps.

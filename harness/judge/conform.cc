@@ -1,6 +1,7 @@
 #include "harness/judge/conform.h"
 
 #include "harness/core/input_error.h"
+#include "harness/results/substeps.h"
 #include "harness/scenario/scenario.h"
 #include "harness/study/cell.h"
 
@@ -83,7 +84,8 @@ bool Conformity::conforms() const {
 std::string Conformity::text() const {
   if (verdicts.empty()) return "the scenario claims nothing\n";
   const results::Verdict& first = verdicts.front();
-  std::string text = fmt::format("{} at dt = {} s{}{}:\n", first.scenario, first.dt_text,
+  std::string text = fmt::format("{} at dt = {}{}{}:\n", first.scenario,
+                                 results::with_substeps(first.dt_text + " s", first.substeps),
                                  first.integrator.empty() ? "" : ", ", first.integrator);
   for (const results::Verdict& verdict : verdicts) text += line(verdict);
   if (!first.complaints.empty()) text += "  on stderr: " + first.complaints + '\n';

@@ -71,11 +71,12 @@ std::vector<Setting> settings_if(Fields& fields) {
   return result;
 }
 
-int order_if(Fields& fields) {
-  if (!fields.find("order")) return 1;
-  const int order = fields.index("order");
-  if (order < 1) fields.fail("order", "must be at least 1");
-  return order;
+// 1 where there is none.
+int positive_if(Fields& fields, const char* key) {
+  if (!fields.find(key)) return 1;
+  const int number = fields.index(key);
+  if (number < 1) fields.fail(key, "must be at least 1");
+  return number;
 }
 
 }  // namespace
@@ -132,8 +133,8 @@ Hello hello_from_json(const json& value) {
   });
   engine.default_path_rule = text_if(f, "default_path_rule");
   each_if(f, "schemes", [&](Fields& s) {
-    engine.integrators.push_back(
-        {text(s, "name"), order_if(s), text_if(s, "conserves"), s.find("adaptive") && s.flag("adaptive")});
+    engine.integrators.push_back({text(s, "name"), positive_if(s, "order"), text_if(s, "conserves"),
+                                  s.find("adaptive") && s.flag("adaptive")});
   });
   each_if(f, "options", [&](Fields& o) {
     engine.options.push_back(
@@ -190,15 +191,22 @@ json terms_json(const core::Terms& terms) {
           {"settings", settings_json(terms.settings)},
           {"unforceable", terms.unforceable},
           {"closed_form", terms.closed_form},
+          {"substeps", terms.substeps},
           {"plan", std::move(plan)}};
 }
 
 core::Terms terms_from_json(const json& value) {
   Fields f(value, "");
   f.at("ok");
-  core::Terms terms{text_if(f, "path"), text_if(f, "integrator"),   order_if(f), text_if(f, "gyroscopic"),
-                    settings_if(f),     texts_if(f, "unforceable"), {}};
+  core::Terms terms{text_if(f, "path"),
+                    text_if(f, "integrator"),
+                    positive_if(f, "order"),
+                    text_if(f, "gyroscopic"),
+                    settings_if(f),
+                    texts_if(f, "unforceable"),
+                    {}};
   terms.closed_form = f.find("closed_form") && f.flag("closed_form");
+  terms.substeps = positive_if(f, "substeps");
   each_if(f, "plan", [&](Fields& s) {
     terms.plan.push_back({text(s, "name"), s.flag("in"), text_if(s, "reason")});
   });

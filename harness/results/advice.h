@@ -16,13 +16,15 @@ struct Pick {
   std::string at;                  ///< "5/1248 s", "tolerance 1e-04"
   std::int64_t steps = 0;
   double dt = 0, tolerance = 0;
+  int substeps = 1;  ///< Parts that the engine makes of each step, each with gravity.
   double error = std::numeric_limits<double>::quiet_NaN();  ///< Worst of the starts that it was run from.
   double cost = std::numeric_limits<double>::quiet_NaN();   ///< CPU seconds per simulated second.
 };
 
 /// What is said of one engine.
 struct EngineAdvice {
-  std::string engine;             ///< Its row: "bullet".
+  std::string engine;   ///< Its row: "bullet".
+  std::string version;  ///< Of what ran; "1.1.0 (WebAssembly in Node 20.20.2)" where it is no native code.
   std::optional<Pick> pick;       ///< The cheapest that meets the tolerance; nothing: not reachable.
   std::optional<Pick> runner_up;  ///< The next cheapest integrator or variant.
   std::optional<Pick> ten_times;  ///< The cheapest for a tenth of the tolerance, from the nominal start.

@@ -45,6 +45,7 @@ struct TradeSeries {
   int declared = 0;          ///< The order that the engine declares; 0: it did not load.
   bool adaptive = false;     ///< The integrator takes a tolerance in place of a step.
   bool closed_form = false;  ///< The engine takes no steps: a step is the grid of the samples alone.
+  int substeps = 1;          ///< Parts that the engine makes of each step, each with gravity.
   double order = std::numeric_limits<double>::quiet_NaN();  ///< Observed; NaN: none.
   double floor = std::numeric_limits<double>::quiet_NaN();  ///< Error that a finer step does not lower; NaN:
                                                             ///< none seen.

@@ -46,6 +46,7 @@ struct Verdict {
   std::vector<std::pair<std::string, std::string>> settings;
   std::vector<std::string> unforceable;
   bool closed_form = false;  ///< The engine takes no steps: `dt` is the grid of the samples alone.
+  int substeps = 1;          ///< Parts that the engine makes of each step, each with gravity.
   double dt = 0;             ///< [s]
   std::string dt_text;       ///< As given: "1/60" or "0.001".
   std::string sampling;      ///< "every step", "every 0.1 s", "the times of the file", "the last step".

@@ -51,7 +51,7 @@ Row row_of(const core::Integrator& integrator, std::int64_t samples, std::int64_
 struct Found {
   std::optional<Pick> pick, ten_times, best;
   double cpu = HUGE_VAL, ten_cpu = HUGE_VAL;  // of the recorded runs: a first guess of costs
-  std::string reason;
+  std::string version, reason;
 };
 
 // The engine is there and says that it cannot run this.
@@ -70,6 +70,13 @@ class Search {
   }
 
   Found find() {
+    Found found = search();
+    found.version = version_;
+    return found;
+  }
+
+ private:
+  Found search() {
     Found found;
     if (row_.size() == 0) return found;
     const double target = options_.tolerance;
@@ -99,11 +106,11 @@ class Search {
     return found;
   }
 
- private:
   double error(std::size_t start, std::size_t i) {
     const Start& from = starts_[start];
     const Ran ran = measure_run(setting_, *from.scenario, *from.yardstick, row_.steps[i], row_.tolerances[i],
                                 options_.limits);
+    version_ = ran.version, substeps_ = ran.substeps;
     if (ran.path == "stepping" && !setting_.first_fixed && !setting_.asked)
       throw Cannot{"this path does not use this integrator"};
     if (ran.point.status == results::Status::unsupported) throw Cannot{ran.point.reason};
@@ -137,6 +144,7 @@ class Search {
   Pick pick(std::size_t i, double error) const {
     Pick p;
     p.engine = setting_.engine.id, p.integrator = setting_.integrator.name;
+    p.substeps = substeps_;
     p.steps = row_.steps[i], p.tolerance = row_.tolerances[i];
     p.dt = starts_.front().scenario->duration / static_cast<double>(p.steps);
     p.at = p.tolerance > 0 ? fmt::format("tolerance {:.1e}", p.tolerance)
@@ -150,6 +158,8 @@ class Search {
   const AdviseOptions& options_;
   Row row_;
   std::map<std::size_t, double> cpu_;
+  std::string version_;
+  int substeps_ = 1;
 };
 
 std::string family(const std::string& id) { return id.substr(0, id.find('/')); }
@@ -255,6 +265,7 @@ std::vector<EngineAdvice> advise(const std::vector<Start>& starts, const std::ve
       if (found[i].best && (!one.best || found[i].best->error < one.best->error)) one.best = found[i].best;
       if (found[i].ten_times && found[i].ten_cpu < ten_cpu)
         one.ten_times = found[i].ten_times, ten_cpu = found[i].ten_cpu;
+      if (!found[i].version.empty()) one.version = found[i].version;
       if (!found[i].reason.empty()) one.reason = found[i].reason;
     }
     if (one.best) one.reason.clear();

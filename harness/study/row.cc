@@ -33,6 +33,7 @@ void sign(results::Verdict& row, const core::Engine& engine, const core::Terms& 
   row.gyroscopic = terms.gyroscopic;
   row.integrator = terms.integrator;
   row.closed_form = terms.closed_form;
+  row.substeps = terms.substeps;
   row.settings.clear();
   for (const core::Setting& setting : terms.settings) row.settings.emplace_back(setting.name, setting.value);
   row.unforceable = terms.unforceable;

@@ -45,7 +45,7 @@ void describe(TradeSeries& series, const Ran& ran) {
   if (ran.order == 0) return;
   series.integrator = ran.integrator;
   series.path = ran.path, series.gyroscopic = ran.gyroscopic, series.declared = ran.order;
-  series.closed_form = ran.closed_form;
+  series.closed_form = ran.closed_form, series.substeps = ran.substeps;
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ Ran measure_run(const Setting& setting, const scenario::Scenario& scenario, cons
   ran.version = outcome.engine.version, ran.precision = outcome.engine.precision;
   ran.path = outcome.terms.path, ran.gyroscopic = outcome.terms.gyroscopic;
   ran.order = outcome.terms.order;
-  ran.closed_form = outcome.terms.closed_form;
+  ran.closed_form = outcome.terms.closed_form, ran.substeps = outcome.terms.substeps;
   TradePoint& point = ran.point;
   point.steps = steps, point.dt = request.setup.dt, point.dt_text = step_text(scenario, steps);
   point.tolerance = tolerance;

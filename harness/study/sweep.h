@@ -32,6 +32,7 @@ struct Ran {
   std::string integrator, version, precision, path, gyroscopic;
   int order = 0;  ///< Of the integrator; 0: the engine never loaded the scene.
   bool closed_form = false;
+  int substeps = 1;        ///< Of each step.
   double cpu_seconds = 0;  ///< Of the recorded run: a first guess of its time.
 };
 

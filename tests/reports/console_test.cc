@@ -104,6 +104,17 @@ TEST(Matrix, SaysWhereAnEngineTakesNoSteps) {
   EXPECT_NE(legend(matrix, plain).find("=: no steps"), std::string::npos);
 }
 
+TEST(Matrix, SaysHowManySubstepsAStepHas) {
+  Verdict v = make("ball", "rapier", Status::pass);
+  EXPECT_EQ(legend(fold({v}), plain).find("substeps"), std::string::npos);
+  EXPECT_EQ(console_details({v}, plain).find("substeps"), std::string::npos);
+  v.substeps = 4;
+  EXPECT_NE(
+      legend(fold({v, make("ball", "ode", Status::pass)}), plain).find("rapier: 4 substeps in each step"),
+      std::string::npos);
+  EXPECT_NE(console_details({v}, plain).find(", dt 1/60 (4 substeps)"), std::string::npos);
+}
+
 TEST(Matrix, MarksCellsThatDiffer) {
   Verdict v = make("top", "bullet", Status::pass);
   v.expected = Status::fail;  // an unexpected pass differs too

@@ -88,7 +88,10 @@ json two_engines() {
            {{{"scenario", "top"},
              {"series",
               {{{"engine", hostile}, {"closed_form", true}, {"points", {{{"dt", 0.1}}}}},
-               {{"engine", "ode"}, {"closed_form", false}, {"points", {{{"dt", 0.1}}, {{"dt", 0.002}}}}}}},
+               {{"engine", "ode"},
+                {"closed_form", false},
+                {"substeps", 4},
+                {"points", {{{"dt", 0.1}}, {{"dt", 0.002}}}}}}},
              {"cells",
               {{{"series", 0}, {"refusal", ""}, {"reach", {{{"error", 0.01}, {"point", 0}}}}},
                {{"series", 1},
@@ -105,7 +108,8 @@ TEST(Html, OpensWithTheMatrixOfStepsWithoutScript) {
   report.documents["trades"] = {two_engines()};
   const std::string page = to_html(report);
   const auto steps = page.find(
-      "<th scope=\"row\">ode</th><td>1e-02: 0.002 s</td><td>1e-03: not reached</td><td>no order</td>");
+      "<th scope=\"row\">ode</th><td>1e-02: 0.002 s (4 substeps)</td><td>1e-03: not reached</td><td>no "
+      "order</td>");
   ASSERT_NE(steps, std::string::npos);
   EXPECT_LT(steps, page.find("<th scope=\"row\">top</th><td>✓ +1.0</td>"));
   EXPECT_NE(page.find("<td>1e-02: no steps</td>"), std::string::npos);

@@ -65,6 +65,7 @@ Verdict random_verdict(std::mt19937& random) {
   v.expected_within = random_number(random);
   v.version_listed = random() % 2;
   v.closed_form = random() % 2;
+  v.substeps = 1 + static_cast<int>(random() % 9);
   v.cpu_verified = random() % 2;
   v.body_steps = static_cast<std::int64_t>(std::uint64_t{random()} << 31 | random());
   return v;
@@ -90,6 +91,7 @@ void expect_same(const Verdict& a, const Verdict& b) {
   EXPECT_EQ(a.expected_within, b.expected_within);
   EXPECT_EQ(a.version_listed, b.version_listed);
   EXPECT_EQ(a.closed_form, b.closed_form);
+  EXPECT_EQ(a.substeps, b.substeps);
   EXPECT_EQ(a.cpu_verified, b.cpu_verified);
   EXPECT_EQ(a.body_steps, b.body_steps);
 }
@@ -133,6 +135,19 @@ TEST(Json, WritesEveryFieldInFixedOrder) {
         "status",     "expected",    "reason",         "cpu_seconds", "cpu_verified", "body_steps"})
     EXPECT_NE(std::find(keys.begin(), keys.end(), key), keys.end()) << key;
   EXPECT_EQ(keys.front(), "scenario");
+}
+
+// Rows of programs that knew no substeps are of one.
+TEST(Json, AStepWithoutSubstepsIsOne) {
+  Verdict v;
+  v.substeps = 4;
+  const std::string line = to_json_line(v);
+  nlohmann::json row = nlohmann::json::parse(line);
+  EXPECT_EQ(row.at("substeps"), 4);
+  row.erase("substeps");
+  EXPECT_EQ(from_json_line(row.dump(), "journal").substeps, 1);
+  row["substeps"] = 0;
+  EXPECT_ANY_THROW(from_json_line(row.dump(), "journal"));
 }
 
 // Rows of programs that knew no check say nothing of it.
@@ -207,7 +222,8 @@ TEST(Json, MalformedDocumentsAreRefusedWithThePlace) {
     without.erase(key);
     wrong[key] = value.is_number() || value.is_null() ? nlohmann::json("x") : nlohmann::json(1);
     for (const auto& bad : {without, wrong}) {
-      if (key == "cpu_verified" && bad == without) continue;  // reports of 0.3 and before lack it
+      // reports of 0.3 and before lack them
+      if ((key == "cpu_verified" || key == "substeps") && bad == without) continue;
       const auto document = nlohmann::json{{"schema", 1}, {"verdicts", nlohmann::json::array({good, bad})}};
       const std::string why = refusal(document.dump());
       EXPECT_NE(why.find("verdict 2: \"" + key + "\""), std::string::npos) << key << ": " << why;

@@ -58,6 +58,22 @@ TEST(StepMatrix, SaysWhatBuildItsCostsAreOf) {
   }
 }
 
+// Errors at a step of four parts are those of a step of a quarter.
+TEST(StepMatrix, SaysHowManySubstepsAStepHas) {
+  TradeTable t = table_of({stepped("rapier", {0.006, 0.003}, 1), stepped("bullet", {0.006, 0.003}, 1)});
+  t.series[0].substeps = 4;
+  const std::string note = "\nrapier: 4 substeps in each step.\n";
+  for (const std::string& text :
+       {steps_text({t}, plain), digits_text({t}, 0.02, plain), trade_text(t, plain, false)}) {
+    EXPECT_TRUE(contains(text, note)) << text;
+    EXPECT_FALSE(contains(text, "bullet: ")) << text;
+  }
+  const auto series = trade_json({t}, {}).at("tables")[0].at("series");
+  EXPECT_EQ(series[0].at("substeps"), 4);
+  EXPECT_EQ(series[1].at("substeps"), 1);
+  EXPECT_TRUE(contains(trade_csv({t}), ",dt_text,substeps,tolerance,"));
+}
+
 TEST(StepMatrix, TheCoarsestStepThatServesAndTheNextFinerOneToo) {
   const double nan = std::nan("");
   const struct {

@@ -8,6 +8,7 @@
 #include "harness/cli/timed_cores.h"
 #include "harness/core/worst.h"
 #include "harness/process/interruption.h"
+#include "harness/results/substeps.h"
 #include "harness/study/ladder.h"
 
 #include <fmt/format.h>
@@ -67,9 +68,12 @@ json to_json(const Answer& a) {
 
 Answer answer_from(const json& j) { return {j.at("lines"), j.at("advised"), j.at("held"), j.at("dear")}; }
 
+std::string at(const results::Pick& pick) { return results::with_substeps(pick.at, pick.substeps); }
+
 results::Pick pick_of(const results::TradeSeries& series, const results::TradePoint& point, std::size_t by) {
   results::Pick pick;
   pick.engine = series.engine, pick.integrator = series.integrator;
+  pick.substeps = series.substeps;
   pick.steps = point.steps, pick.dt = point.dt, pick.tolerance = point.tolerance;
   pick.at = point.tolerance > 0 ? fmt::format("tolerance {:.0e}", point.tolerance) : point.dt_text + " s";
   pick.error = point.errors[by], pick.cost = point.cost;
@@ -135,7 +139,7 @@ Answer verify(const Verification& ask, const scenario::Scenario& scenario) {
     if (!one.pick) {
       tally.lines += fmt::format(
           "{:<24} {:<22} {}\n", scenario.name, one.engine,
-          best       ? fmt::format("MISSED: {} {} at {} serves", best->engine, best->integrator, best->at)
+          best       ? fmt::format("MISSED: {} {} at {} serves", best->engine, best->integrator, at(*best))
           : one.best ? fmt::format("not reachable, best {:.1e}", one.best->error)
                      : "cannot run it");
       if (best) ++tally.advised, ++tally.dear;
@@ -153,10 +157,10 @@ Answer verify(const Verification& ask, const scenario::Scenario& scenario) {
     tally.dear += ratio > allowed_cost;
     tally.lines +=
         fmt::format("{:<24} {:<22} {} {} at {}: error {:.1e} from {} new initial states {}; {:.1e} s/s, {}\n",
-                    scenario.name, one.engine, pick.engine, pick.integrator, pick.at, error, fresh.size() - 1,
-                    error <= target ? "holds" : "FAILS", pick.cost,
+                    scenario.name, one.engine, pick.engine, pick.integrator, at(pick), error,
+                    fresh.size() - 1, error <= target ? "holds" : "FAILS", pick.cost,
                     best ? fmt::format("{:.2f} of the sweep's best ({} {} at {}){}", ratio, best->engine,
-                                       best->integrator, best->at, ratio > allowed_cost ? " DEAR" : "")
+                                       best->integrator, at(*best), ratio > allowed_cost ? " DEAR" : "")
                          : "no setting of the sweep meets the tolerance");
   }
   return tally;

@@ -29,6 +29,7 @@ json to_json(const study::Ran& ran) {
           {"gyroscopic", ran.gyroscopic},
           {"order", ran.order},
           {"closed_form", ran.closed_form},
+          {"substeps", ran.substeps},
           {"cpu", ran.cpu_seconds}};
 }
 
@@ -42,7 +43,7 @@ study::Ran from_json(const json& j) {
     p.errors.push_back(e.is_null() ? std::numeric_limits<double>::quiet_NaN() : e.get<double>());
   ran.integrator = j.at("integrator"), ran.version = j.at("version"), ran.precision = j.at("precision");
   ran.path = j.at("path"), ran.gyroscopic = j.at("gyroscopic");
-  ran.closed_form = j.at("closed_form");
+  ran.closed_form = j.at("closed_form"), ran.substeps = j.value("substeps", 1);  // older rows lack it
   ran.order = j.at("order"), ran.cpu_seconds = j.at("cpu");
   return ran;
 }

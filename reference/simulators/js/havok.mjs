@@ -17,6 +17,7 @@ export const about = {
   name: 'havok', title: 'Havok', build: 'WebAssembly', native: 'native code of C++', precision: 'float',
   schemes: [{name: 'semi-implicit-euler', order: 1, conserves: 'linear momentum', adaptive: false}],
   gyroscopic: () => 'none',
+  substeps: () => 4,
   joints: {types: ['ball', 'hinge', 'fixed', 'slider', 'cylindrical', 'planar', 'universal'], limits: ['hinge', 'slider'],
     friction: ['hinge', 'slider'],
     why: {distance: 'Havok takes no limit of LINEAR_DISTANCE (HP_Constraint_SetAxisMode answers RESULT_INVALIDARGS): it keeps no distance.'}},

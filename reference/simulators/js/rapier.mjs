@@ -9,6 +9,7 @@ export const about = {
   name: 'rapier', title: 'Rapier', build: 'WebAssembly', native: 'native code of Rust', precision: 'float',
   schemes: [{name: 'semi-implicit-euler', order: 1, conserves: 'linear momentum', adaptive: false}],
   gyroscopic: () => 'explicit, of constant |L|, in each substep',
+  substeps: (values) => values['solver-iterations'],
   joints: {types: ['ball', 'hinge', 'fixed', 'slider', 'cylindrical', 'planar'], limits: ['hinge', 'slider'],
     friction: ['hinge', 'slider'],
     why: {distance: 'Rapier has no rigid joint of type distance.'}},

@@ -61,6 +61,19 @@ TEST(Plan, IsPartOfTheTerms) {
   EXPECT_TRUE(terms_from_json(message).plan.empty());
 }
 
+TEST(Substeps, ArePartOfTheTermsAndOneWhereAWorkerTellsNone) {
+  core::Terms terms;
+  terms.substeps = 4;
+  json message = terms_json(terms);
+  EXPECT_EQ(terms_from_json(message).substeps, 4);
+  for (const json& wrong : {json(0), json(-4), json(2.5), json("4"), json(nullptr)}) {
+    message["substeps"] = wrong;
+    EXPECT_THROW(terms_from_json(message), std::runtime_error) << wrong;
+  }
+  message.erase("substeps");  // an older worker
+  EXPECT_EQ(terms_from_json(message).substeps, 1);
+}
+
 TEST(Remarks, ArriveWithEndOfRun) {
   Done done{7, 2, 5.0, 3.0, {"tolerance 1e-10 was not reached", "3e-9 was"}};
   json message = done_json(done);

@@ -26,6 +26,7 @@ export interface Column {
   integrator: string;
   label: string;
   family: string;
+  substeps: number; // the most that the engine made of a step
 }
 
 export interface Row {
@@ -111,17 +112,23 @@ export function fold(verdicts: Verdict[]): Matrix {
   const engines = new Labels();
   const integratorOf = columnIntegrators(verdicts);
   const cells: (Cell | undefined)[][] = [];
+  const substeps: number[] = []; // by column
   for (const v of verdicts) {
     const row = (cells[scenarios.index(v.scenario, v.dt_text)] ??= []);
     const j = engines.index(v.engine, integratorOf(v));
     const { scenario, engine, integrator, dt_text: dt, status: worst } = v;
     row[j] ??= { scenario, engine, integrator, dt, verdicts: [], worst, digits: null, differs: false, closedForm: false, passedBy: [] };
     join(row[j], v);
+    substeps[j] = Math.max(substeps[j] ?? 1, v.substeps ?? 1);
   }
   const familyOf = families(versionsOf(verdicts));
-  const columns = engines
-    .all()
-    .map(({ first, second, label }) => ({ engine: first, integrator: second, label, family: familyOf.get(first)! }));
+  const columns = engines.all().map(({ first, second, label }, j) => ({
+    engine: first,
+    integrator: second,
+    label,
+    family: familyOf.get(first)!,
+    substeps: substeps[j]!,
+  }));
   const rows = scenarios.all().map(({ first, second, label }, i) => ({
     scenario: first,
     dt: second,

@@ -69,6 +69,7 @@ export interface Verdict {
   stderr: string; // its end
   version_listed: boolean;
   closed_form: boolean; // the engine takes no steps
+  substeps?: number; // parts of each step, each with gravity; absent in older reports: 1
   tolerance_scale: number;
   spread: number | null;
   cpu_seconds: number;
@@ -258,6 +259,7 @@ export interface Trade {
       gyroscopic: string;
       adaptive: boolean;
       closed_form?: boolean; // the engine takes no steps
+      substeps?: number; // parts of each step; absent: 1
       declared_order: number;
       observed_order: number | null;
       floor: number | null;

@@ -73,6 +73,16 @@ test('steps and schemes are named only where there are several', () => {
   assert.equal(rows[2].cells[1], null);
 });
 
+test('a column says the most substeps that its engine made of a step', () => {
+  const { columns } = fold([
+    verdict({ engine: 'rapier', substeps: 4 }),
+    verdict({ engine: 'rapier', scenario: 'kepler', status: 'unsupported', substeps: 1 }),
+    verdict({ substeps: 1 }),
+    verdict({ engine: 'of an older report' }),
+  ]);
+  assert.deepEqual(columns.map((c) => c.substeps), [4, 1, 1]);
+});
+
 test('a run without a scheme stands with the first scheme of its engine, and is found by its own name', () => {
   const refused = {
     scenario: 'gas',

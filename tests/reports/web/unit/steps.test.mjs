@@ -4,6 +4,8 @@ import { test } from 'node:test';
 
 import { load } from '../bundle_for_test.mjs';
 
+const { buildOf, buildsNote } = await load('report/builds.tsx');
+const { withSubsteps } = await load('report/substeps.ts');
 const { digitsAt, foldSteps, isInHouse } = await load('report/steps/fold_steps.ts');
 
 const series = (engine, errors, change = {}) => ({
@@ -55,6 +57,37 @@ test('digits are of the coarsest tried step that is not coarser', () => {
   assert.equal(digitsAt(cell, 0.008).dt, 0.008);
   assert.equal(digitsAt(cell, 1e-5), null);
 });
+
+for (const [version, build] of [
+  ['3.24', ''],
+  ['1.1.0 (WebAssembly in Node 20.20.2)', 'WebAssembly in Node 20.20.2'],
+  ['0.0.3 (JavaScript in Node 20.20.2)', 'JavaScript in Node 20.20.2'],
+  ['', ''],
+])
+  test(`'${version}' is ${build || 'native code'}, and its column says so`, () => {
+    const [table] = trade.tables;
+    const [bullet, ours] = table.series;
+    const { builds } = foldSteps([{ ...trade, tables: [{ ...table, series: [{ ...bullet, version }, ours] }] }]);
+    assert.equal(buildOf(version), build);
+    assert.equal(builds.get('bullet') ?? '', build);
+    assert.equal(builds.get('in-house'), '');
+    assert.equal(buildsNote([...builds.values()]).includes(build || 'Costs'), build !== '');
+  });
+
+for (const [step, substeps, text] of [
+  ['16 ms', 4, '16 ms (4 substeps)'],
+  ['16 ms', 1, '16 ms'],
+  ['16 ms', undefined, '16 ms'], // an older report
+  ['', 4, '4 substeps'],
+  ['', 1, ''],
+])
+  test(`a step '${step}' of ${substeps} parts is '${text}'`, () => {
+    assert.equal(withSubsteps(step, substeps), text);
+    const [table] = trade.tables;
+    const [bullet, ours] = table.series;
+    const cell = foldSteps([{ ...trade, tables: [{ ...table, series: [{ ...bullet, substeps }, ours] }] }]).rows[0].cells.get('bullet');
+    assert.equal(cell.substeps, substeps ?? 1);
+  });
 
 for (const [engine, ours] of [
   ['in-house', true],

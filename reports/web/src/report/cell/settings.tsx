@@ -2,6 +2,7 @@
 import type { Diagnostic, ScenarioView, Verdict } from '../../shared/documents';
 import { duration, short, withUnit } from '../numbers';
 import { Foreign, ForeignLines } from '../text';
+import { withSubsteps } from '../substeps';
 import { visible } from '../visible';
 
 /** Values of all claims of a cell: one, as a cell is one run; should they differ, all are shown. */
@@ -19,7 +20,7 @@ const facts: [string, (v: Verdict) => string][] = [
   ['path', (v) => v.path],
   ['gyroscopic term', (v) => v.gyroscopic],
   ['integrator', (v) => v.integrator],
-  ['step', (v) => `${v.dt_text} s (${short(v.dt, 17)} s)`],
+  ['step', (v) => withSubsteps(`${v.dt_text} s (${short(v.dt, 17)} s)`, v.substeps)],
   ['sampling', (v) => v.sampling],
   [
     'CPU time',

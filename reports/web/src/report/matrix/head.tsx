@@ -1,6 +1,7 @@
 // The head of the matrix: a row of families where that helps, and the row of columns.
 import { hasFamilyRow, type Family } from '../families';
 import type { Column } from '../fold';
+import { withSubsteps } from '../substeps';
 import { visible } from '../visible';
 
 /** May break where the words of an engine's name meet. */
@@ -34,6 +35,7 @@ function ColumnHead({ column, starts, rows }: { column: Column; starts: boolean;
   return (
     <th scope="col" class={starts ? 'starts' : undefined} rowSpan={rows}>
       {parted(visible(column.label))}
+      {column.substeps > 1 ? <span class="title">{withSubsteps('', column.substeps)}</span> : null}
     </th>
   );
 }

@@ -3,6 +3,7 @@ import { useMemo } from 'preact/hooks';
 
 import type { Verdict } from '../../shared/documents';
 import { cellAddress, link } from '../address';
+import { Build, buildOf, buildsNote } from '../builds';
 import { type Cell, fold } from '../fold';
 import { digitsText, duration } from '../numbers';
 import { isMeasured, looks } from '../status';
@@ -29,6 +30,10 @@ function Cost({ cell }: { cell: Cell | null }) {
 export function Costs({ verdicts }: { verdicts: Verdict[] }) {
   const { columns, rows } = useMemo(() => fold(verdicts), [verdicts]);
   const { list, button } = useFew(rows);
+  // A cell that did not start has no version.
+  const builds = columns.map((_, j) =>
+    buildOf(rows.flatMap((row) => row.cells[j]?.verdicts ?? []).find((v) => v.version)?.version ?? ''),
+  );
   return (
     <section aria-labelledby="costs-heading">
       <h3 id="costs-heading">CPU time per body-step, with the digits of the worst claim</h3>
@@ -36,6 +41,7 @@ export function Costs({ verdicts }: { verdicts: Verdict[] }) {
         Timed once, while the verdicts were made and perhaps with other runs beside it: orders of magnitude.{' '}
         <em>not verified</em>: the CPU time of the engine&apos;s process does not confirm what it tells, as in
         short runs, where requests and samples cost more than steps.
+        {visible(buildsNote(builds))}
         To decide between builds there is <code>cylon track compare</code>, between engines and integrators{' '}
         <code>cylon trade</code>.
       </p>
@@ -44,9 +50,10 @@ export function Costs({ verdicts }: { verdicts: Verdict[] }) {
           <thead>
             <tr>
               <th scope="col">scenario</th>
-              {columns.map((column) => (
+              {columns.map((column, j) => (
                 <th key={column.label} scope="col">
                   {visible(column.label)}
+                  <Build build={builds[j] ?? ''} />
                 </th>
               ))}
             </tr>

@@ -1,5 +1,6 @@
 // Sweeps to a matrix of scenarios and engines: which step each engine needs (harness/results/step_matrix.h chooses).
 import type { Trade } from '../../shared/documents';
+import { buildOf } from '../builds';
 
 type Table = Trade['tables'][number];
 type Cells = NonNullable<Table['cells']>;
@@ -20,6 +21,7 @@ export interface StepCell {
   order: number | null; // observed
   closedForm: boolean;
   adaptive: boolean;
+  substeps: number; // in each step
   refusal: string; // "": the engine runs the scene
   avoidable: string; // engines that can run what this one refuses
   reach: Reach[];
@@ -34,6 +36,7 @@ export interface StepRow {
 
 export interface StepMatrix {
   engines: string[];
+  builds: Map<string, string>; // by engine; '': native code
   rows: StepRow[];
 }
 
@@ -65,6 +68,7 @@ function cellOf(table: Table, cell: Cells[number], costs: Map<string, number | n
     order: of.observed_order,
     closedForm: of.closed_form ?? false,
     adaptive: of.adaptive,
+    substeps: of.substeps ?? 1,
     refusal: cell.refusal,
     avoidable: cell.avoidable,
     reach,
@@ -75,6 +79,7 @@ function cellOf(table: Table, cell: Cells[number], costs: Map<string, number | n
 /** Tables of programs that are older than the cells are left out. */
 export function foldSteps(trades: Trade[]): StepMatrix {
   const engines: string[] = [];
+  const builds = new Map<string, string>();
   const rows: StepRow[] = [];
   for (const trade of trades)
     for (const table of trade.tables) {
@@ -82,14 +87,17 @@ export function foldSteps(trades: Trade[]): StepMatrix {
       if (!table.cells || !measure) continue;
       const costs = costsOf(trade, table);
       const cells = table.cells.map((cell) => cellOf(table, cell, costs));
-      for (const { engine } of cells) if (!engines.includes(engine)) engines.push(engine);
+      for (const { engine, version } of cells) {
+        if (!engines.includes(engine)) engines.push(engine);
+        if (version) builds.set(engine, buildOf(version));
+      }
       rows.push({
         scenario: table.scenario,
         measure: `${measure.name} against ${measure.against}`,
         cells: new Map(cells.map((cell) => [cell.engine, cell])),
       });
     }
-  return { engines, rows };
+  return { engines, builds, rows };
 }
 
 export function isInHouse(engine: string): boolean {

@@ -4,7 +4,9 @@ import { useMemo } from 'preact/hooks';
 
 import type { Index } from '../../shared/documents';
 import { go, link, sectionAddress, useAddress } from '../address';
+import { Build, buildsNote } from '../builds';
 import { count, duration, short } from '../numbers';
+import { withSubsteps } from '../substeps';
 import { visible } from '../visible';
 import { digitsAt, foldSteps, isInHouse, type Reach, type StepCell, type StepMatrix } from './fold_steps';
 
@@ -13,7 +15,7 @@ const steps = [0.01, 0.001, 0.0001]; // at which digits are offered [s]
 function stepText(cell: StepCell, reach: Reach): string {
   if (cell.closedForm) return 'no steps';
   if (reach.tolerance !== null) return `tolerance ${short(reach.tolerance, 2)}`;
-  return `${reach.coarsestTried ? '\u2265 ' : ''}${duration(reach.step)}`;
+  return withSubsteps(`${reach.coarsestTried ? '\u2265 ' : ''}${duration(reach.step)}`, cell.substeps);
 }
 
 function ReachRow({ cell, reach }: { cell: StepCell; reach: Reach }) {
@@ -73,7 +75,7 @@ function Digits({ cell, dt }: { cell: StepCell; dt: number }) {
   if (!at) return <span class="why">no finite error</span>;
   return (
     <>
-      <span class="number">{at.digits.toFixed(1)}</span> <span class="why">at {duration(at.dt)}</span>
+      <span class="number">{at.digits.toFixed(1)}</span> <span class="why">at {withSubsteps(duration(at.dt), cell.substeps)}</span>
     </>
   );
 }
@@ -88,6 +90,7 @@ function Table({ matrix, engines, at }: { matrix: StepMatrix; engines: string[];
             {engines.map((engine) => (
               <th key={engine} scope="col">
                 {visible(engine)}
+                <Build build={matrix.builds.get(engine) ?? ''} />
               </th>
             ))}
           </tr>
@@ -164,6 +167,7 @@ export function StepsSection({ index }: { index: Index }) {
               ? 'A line says: relative error; the coarsest of the tried steps that meets it, as the next finer ' +
                 'one does; CPU time per simulated second. \u2265: no coarser step was tried. '
               : 'Digits are -log10 of the relative error, at the coarsest tried step of at most the given one. '}
+            {chosen === null ? visible(buildsNote(engines.map((engine) => matrix.builds.get(engine) ?? ''))) : ''}
             no steps, closed form: the engine knows the motion as a formula of time, and a step says nothing of it.
             A scenario leads to its plot of error against cost.
           </p>

@@ -1,5 +1,6 @@
 // Points of a sweep with their costs, which the document keeps apart, and who dominates whom.
 import type { Status, Trade } from '../../shared/documents';
+import { buildOf } from '../builds';
 
 export type Table = Trade['tables'][number];
 export type Measure = Table['measures'][number];
@@ -27,12 +28,6 @@ export interface Series {
 
 function key(engine: string, integrator: string, dtText: string, tolerance: number | null): string {
   return [engine, integrator, dtText, tolerance ?? ''].join('\u0000');
-}
-
-/** What runs an engine that is no native code, as its version says in brackets: "WebAssembly in Node 20.20.2"; ''.  Costs of two
- * builds do not compare (harness/results/build.h). */
-export function buildOf(version: string): string {
-  return / \((.*)\)$/.exec(version)?.[1] ?? '';
 }
 
 /** The builds of a sweep, that of native code first. */

@@ -4,6 +4,7 @@ import { duration, short } from '../numbers';
 import { StatusMark } from '../status_mark';
 import { Foreign } from '../text';
 import { useFew } from '../use_few';
+import { withSubsteps } from '../substeps';
 import { visible } from '../visible';
 import { isDrawn, type Point, type Series, settingOf } from './join';
 
@@ -119,7 +120,7 @@ export function SettingsTable({ list, points, caption }: SettingsProps) {
             {shown.map((p, i) => (
               <tr key={i}>
                 <th scope="row">{visible(list[p.series]!.label)}</th>
-                <td class="number">{visible(settingOf(p))}</td>
+                <td class="number">{visible(withSubsteps(settingOf(p), list[p.series]!.of.substeps))}</td>
                 <td class="number">{short(p.error)}</td>
                 <td class="number">{p.cost === null ? 'not timed' : short(p.cost)}</td>
                 <td class="number">{duration(p.perBodyStep)}</td>

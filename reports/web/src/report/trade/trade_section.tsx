@@ -3,9 +3,10 @@ import { useMemo } from 'preact/hooks';
 
 import type { Index, Trade, Verdict } from '../../shared/documents';
 import { go, useAddress } from '../address';
+import { buildOf } from '../builds';
 import { count, short } from '../numbers';
 import { visible } from '../visible';
-import { buildOf, buildsOf, isDrawn, join, type Measure, type Series, type Table } from './join';
+import { buildsOf, isDrawn, join, type Measure, type Series, type Table } from './join';
 import { Legend, SettingsTable } from './tables';
 import { TradePlot } from './trade_plot';
 
