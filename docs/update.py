@@ -2,6 +2,7 @@
 """Writes the generated blocks of README.md and docs/ from the output of the program, or checks that they are current.
 
     docs/update.py [--check] [--cylon build/release/cylon]
+    docs/update.py --optional        # the blocks of optional engines too, which take minutes and need all of them (./run engines)
 
 BLOCKS says which page has which block.  A block stands between '<!-- name -->' and '<!-- /name -->'.
 Generated blocks contain verdicts and never times, so that they are the same on every run.  The table of all engines has
@@ -29,10 +30,10 @@ root = pathlib.Path(__file__).resolve().parent.parent
 
 
 def output(*command, folder=root):
-    """What a command prints, 100 columns wide.  Exit code 1 is allowed: a verdict differs."""
+    """What a command prints, 100 columns wide.  Exit code 1 is allowed: a verdict differs; and 5, where JSON tells that an engine crashed."""
     environment = {**os.environ, "COLUMNS": "100", "LC_ALL": "C.UTF-8"}
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, env=environment)
-    if done.returncode not in (0, 1):
+    if done.returncode not in ((0, 1, 5) if "--json" in command else (0, 1)):
         sys.exit(f"{' '.join(command)} ended with {done.returncode}:\n{done.stderr}")
     return done.stdout
 
@@ -49,8 +50,9 @@ def digits(verdict):
 MARKS = {"pass": "✓", "undecided": "?", "low-quality": "~", "fail": "✗", "unsupported": "–", "non-finite": "∞"}
 
 
-def matrix(cylon, suite="conformance"):
-    verdicts = json.loads(output(cylon, "run", "--suite", suite, "--json", "-"))["verdicts"]
+def matrix(cylon, suite="conformance", *engines):
+    chosen = [word for engine in engines for word in ("--engine", engine)]
+    verdicts = json.loads(output(cylon, "run", "--suite", suite, *chosen, "--json", "-"))["verdicts"]
     engines = list(dict.fromkeys(v["engine"] for v in verdicts))
     lines = ["| scenario | " + " | ".join(e.replace("in-house/integrator=", "in-house, ") for e in engines) + " |",
              "|---" * (len(engines) + 1) + "|"]
@@ -143,16 +145,24 @@ def extreme_verdicts(cylon):
     return matrix(cylon, "extremes")
 
 
+def optional_extreme_verdicts(cylon):
+    return matrix(cylon, "extremes", *(row.split()[0] for row in engine_rows() if row.split()[3] == "optional"))
+
+
 def published(cylon):
     text = output(cylon, "run", "--suite", "simbenchmark")
     table = text[text.index("published numbers"):]
     return fenced(table)
 
 
+def engine_rows():
+    lines = (root / "reference/simulators/engines.txt").read_text().splitlines()
+    return [line for line in lines if line and not line.startswith("#")]
+
+
 def fingerprint(cylon):
     """Answers only: the numbers that they rest on stand beside them in the program's own words."""
-    table = (root / "reference/simulators/engines.txt").read_text().splitlines()
-    compared = [row.split()[0] for row in table if not row.startswith("#") and row.split()[3] == "compared"]
+    compared = [row.split()[0] for row in engine_rows() if row.split()[3] == "compared"]
     engines = json.loads(output(cylon, "engines", "--fingerprint", "--json", *compared))
     lines = ["| | " + " | ".join(e["id"] for e in engines) + " |", "|---" * (len(engines) + 1) + "|"]
     for i, finding in enumerate(engines[0]["findings"]):
@@ -227,6 +237,8 @@ BLOCKS = {
     "tests/mutants/README.md": {"counts": mutants},
     "docs/extremes.md": {"extremes": extremes, "extreme-verdicts": extreme_verdicts},
 }
+# The same of optional engines, which are not on every machine.
+OPTIONAL = {"docs/extremes.md": {"extreme-verdicts-optional": optional_extreme_verdicts}}
 
 FOLDERS = "engine|harness|reference|reports|scenarios|tests|bench|cmake|docs"
 
@@ -265,9 +277,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true", help="change nothing; fail where a block is not current")
     parser.add_argument("--cylon", default="build/release/cylon", help="the program to ask")
+    parser.add_argument("--optional", action="store_true", help="also what optional engines do")
     options = parser.parse_args()
     wrong = [line for page in pages() for line in dead_links(page)] + list(engine_table.wrong())
-    for page, blocks in BLOCKS.items():
+    asked = [*BLOCKS.items(), *(OPTIONAL.items() if options.optional else [])]
+    for page, blocks in asked:
         file = root / page
         old = new = file.read_text()
         for name, make in blocks.items():

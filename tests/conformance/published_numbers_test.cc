@@ -176,8 +176,8 @@ scenario::Scenario scenario_of(const Number& n) {
   if (n.duration > 0) scenario.duration = n.duration;
   for (core::Body& body : scenario.scene.bodies)
     if (n.start.contains(body.name)) body.initial.position = n.start.at(body.name);
-  std::ranges::stable_partition(scenario.scene.bodies,
-                                [&](const core::Body& body) { return body.name != n.last; });
+  std::stable_partition(scenario.scene.bodies.begin(), scenario.scene.bodies.end(),
+                        [&](const core::Body& body) { return body.name != n.last; });
   return scenario;
 }
 
@@ -215,7 +215,9 @@ const process::RunOutcome& run_of(const scenario::Scenario& scenario, const Numb
 double along(const Number& n, const core::State& state, const Eigen::Vector4d& value,
              std::optional<int> body) {
   if (n.along) return n.along->dot(value.head<3>());
-  if (n.along_body) return (state[body.value_or(0)].orientation * *n.along_body).dot(value.head<3>());
+  if (n.along_body)
+    return (state[static_cast<std::size_t>(body.value_or(0))].orientation * *n.along_body)
+        .dot(value.head<3>());
   return value.x();
 }
 

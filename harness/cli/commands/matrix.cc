@@ -126,7 +126,7 @@ Command add_matrix(App& app, const Context& context) {
          "Scenario names, globs or files, several joined by ':', excluded with '-'. Default: the suite "
          "conformance")
       ->type_name("FILE|GLOB");
-  add_engines_option(app, options->wanted.engines, "all");
+  add_engines_option(app, options->wanted.engines, "all but the optional ones");
   app.add_flag("--others", options->others, "Leave out the in-house engine");
   add_integrators_option(app, options->wanted.integrators, "each engine's default");
   app.add_option("--at", options->at,

@@ -118,7 +118,8 @@ Command add_trade(App& app, const Context& context) {
                  "Scenario names, globs or files, several joined by ':', excluded with '-'")
       ->type_name("FILE|GLOB")
       ->required();
-  add_engines_option(app, options->wanted.engines, "all, with the variants that affect the scene");
+  add_engines_option(app, options->wanted.engines,
+                     "all but the optional ones, with the variants that affect the scene");
   add_integrators_option(app, options->wanted.integrators, "all integrators of each engine");
   const Option steps = add_steps_option(
       app, options->steps,

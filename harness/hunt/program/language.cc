@@ -1,5 +1,6 @@
 #include "harness/hunt/program/dialect.h"
 
+#include <algorithm>
 #include <array>
 #include <regex>
 #include <string>
@@ -113,7 +114,7 @@ ${main}console.log(worst.toPrecision(9), '${unit}');
 
 std::string filled(std::string_view text, const Words& words) {
   std::string out;
-  for (std::size_t at; (at = text.find("${")) != std::string_view::npos;) {
+  for (std::size_t at = 0; (at = text.find("${")) != std::string_view::npos;) {
     const std::size_t end = text.find('}', at);
     out += text.substr(0, at);
     const auto word = words.find(text.substr(at + 2, end - at - 2));
@@ -127,13 +128,15 @@ std::string without_unused(std::string text, std::string_view helpers) {
   // "V add(const V& a, …" or "const add = (a, b) => …": the name, and then a parenthesis.
   const std::regex definition(R"(^(?:const (\w+) = \(|(?:V|double) (\w+)\())");
   std::vector<std::string> lines;
-  for (std::size_t end; (end = helpers.find('\n')) != std::string_view::npos; helpers.remove_prefix(end + 1))
+  for (std::size_t end = 0; (end = helpers.find('\n')) != std::string_view::npos;
+       helpers.remove_prefix(end + 1))
     lines.emplace_back(helpers.substr(0, end + 1));
-  for (auto line = lines.rbegin(); line != lines.rend(); ++line) {  // later ones call earlier ones
+  std::reverse(lines.begin(), lines.end());  // later ones call earlier ones
+  for (const std::string& line : lines) {
     std::smatch m;
-    if (!std::regex_search(*line, m, definition)) continue;
-    const std::size_t at = text.find(*line);
-    std::string rest = text.substr(0, at) + text.substr(at + line->size());
+    if (!std::regex_search(line, m, definition)) continue;
+    const std::size_t at = text.find(line);
+    std::string rest = text.substr(0, at) + text.substr(at + line.size());
     const std::regex call(R"(\b)" + m[1].str() + m[2].str() + R"(\()");
     if (!std::regex_search(rest, call)) text = std::move(rest);
   }

@@ -189,7 +189,7 @@ class Writer {
       constants += fmt::format("const {} required = {}{};\n", &language_ == &cpp ? "std::vector<State>" : "",
                                at->second, &language_ == &cpp ? "" : ".map(moving)");
     if (&language_ == &javascript)
-      for (std::size_t at; (at = constants.find("const let")) != std::string::npos;)
+      for (std::size_t at = 0; (at = constants.find("const let")) != std::string::npos;)
         constants.replace(at, 9, "const");
     out += language_.translated(constants);
     out += filled(dialect_.functions, words_);
