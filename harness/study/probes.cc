@@ -276,7 +276,7 @@ Finding limit(const Runner& run, std::array<double, 4> speeds, double left, cons
     if (kept < (1 - 1e-3) * left * v || kept > (1 + 1e-3) * v)
       return {fmt::format("{:.4g} {}", kept, unit), fmt::format("{:g} {} becomes {:.4g}", v, unit, kept)};
   }
-  return {fmt::format("none up to {:.0e} {}", speeds.back(), unit),
+  return {fmt::format("none up to 1e{:.0f} {}", std::log10(speeds.back()), unit),
           fmt::format("{:g} {} are kept for 0.1 s", fmt::join(speeds, ", "), unit)};
 }
 

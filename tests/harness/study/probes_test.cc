@@ -149,7 +149,15 @@ TEST(Probes, IdentifySmallEngine) {
       {"spin limit", "none up to 1e4 rad/s", {}},
       {"spin limit", "47.1 rad/s", {.spin_limit = 47.1}},
       {"damping", "none", {}},
-      {"damping", "linear 0.0392/s, angular 0/s", {.damping = 0.04}},
+      {"damping", "linear 0.04/s, angular 0/s", {.damping = 0.04}},
+      // What an engine does besides its damping.
+      {"free fall", "semi-implicit Euler", {.damping = 0.04}},
+      {"spring", "order 1.0, energy bounded", {.damping = 0.04}},
+      {"restitution", "speed before gravity acts in the step", {.damping = 0.04}},
+      {"slow bounces", "restitution is applied down to 0.01 m/s", {.damping = 0.04}},
+      {"friction", "Coulomb cone", {.damping = 0.04}},
+      {"speed limit", "499.7 m/s", {.speed_limit = 500, .damping = 0.04}},  // it damps what it has cut
+      {"sleeping", "never", {.damping = 0.04}},
       {"sleeping", "never", {}},
       {"sleeping", "slow bodies are stopped", {.sleeps = true}},
       {"precision", "double", {}},
