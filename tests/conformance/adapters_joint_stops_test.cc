@@ -214,5 +214,26 @@ TEST(JointStopsAlone, SweepsThatEndEarlyLeaveARate) {
   }
 }
 
+// An arm leans on its stop, at phi = -0.1 rad, and a bob on the arm on its own, for ten seconds.  What sweeps leave of a load
+// goes on where no ERP takes it back: docs/engines.md has these numbers.
+TEST(JointStopsAlone, BearALoadThatLasts) {
+  const core::Scene scene =
+      scenario::load(std::filesystem::path(source_dir) / "tests/data/found/leaning_arm.toml").scene;
+  struct Row {
+    const char* engine;
+    double bob;  // its height after 10 s [m]; -0.0997 where both stops hold
+    double within;
+  };
+  for (const Row& row :
+       {Row{"in-house", -0.8 * std::sin(0.1) - 0.1 * std::sin(0.2), 1e-12}, Row{"ode", -0.0997, 3e-3},
+        Row{"ode-quick", -0.0997, 6e-3}, Row{"ode-quick/stop-erp=0", -0.868, 1e-3},
+        Row{"ode/path=as-expert", -0.0997, 3e-3}, Row{"bullet/path=as-shipped", -0.104, 1e-3},
+        Row{"bullet", -0.191, 1e-3}, Row{"bullet/path=as-expert", -0.115, 1e-3}}) {
+    const process::EngineChoice choice =
+        process::parse_engine(row.engine, process::default_engines(binary_dir));
+    EXPECT_NEAR(last(choice, scene, 1. / 240, 2400)[1].position.y(), row.bob, row.within) << row.engine;
+  }
+}
+
 }  // namespace
 }  // namespace cylon::conformance

@@ -159,6 +159,8 @@ std::vector<std::string> unforceable(bool quick) {
 // ---- What the paths set, as a table -----------------------------------------------------------------
 
 bool rests_in_a_stack(const OdeKind& kind) { return kind.stacked && !kind.bounces && !kind.wide(); }
+// What sweeps leave of a load on a stop would else carry it on without end.
+bool solves_directly(const OdeKind& kind) { return !rests_in_a_stack(kind); }
 bool meets_without_bounce(const OdeKind& kind) {
   return kind.piles && !kind.stacked && !kind.bounces && !kind.wide();
 }
@@ -189,11 +191,11 @@ constexpr Rule rules[] = {
     {"quick", "stepper", "quick", nullptr, "", "the path"},
     {"quick", "rotation", "finite", nullptr, "", exact_turn},
     {"quick", "friction", "coefficient", nullptr, "", a_coefficient},
-    {"quick", "stop-erp", "0", nullptr, "", nothing_back},
 
     {"as-expert", "rotation", "finite", nullptr, "", exact_turn},
     {"as-expert", "friction", "coefficient", nullptr, "", a_coefficient},
-    {"as-expert", "stop-erp", "0", nullptr, "", nothing_back},
+    {"as-expert", "stop-erp", "0", solves_directly, "except where dWorldQuickStep takes the steps, below",
+     nothing_back},
     {"as-expert", "friction-direction", "slip", keeps_to_the_slip, "except where soft_cfm is 1e-05, below",
      "one side of the pyramid lies on Coulomb's cone"},
     {"as-expert", "springs", "stiff", nullptr, "", "an explicit force diverges beyond dt^2 k = 4 m"},
