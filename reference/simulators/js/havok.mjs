@@ -11,13 +11,14 @@ import {conjugate, dot, norm, rotate, scale, sub, turn_of_y} from './vectors.mjs
 
 const unlimited = 1e18;  // its square is finite in single precision
 const slow = 0.1;         // [m/s]
+const longest_step = 2.58;  // ideal steps, of which more is cut off (measured: sqrt(20/3))
 const plane_reach = 100, plane_depth = 10;  // [m]
 
 export const about = {
   name: 'havok', title: 'Havok', build: 'WebAssembly', native: 'native code of C++', precision: 'float',
   schemes: [{name: 'semi-implicit-euler', order: 1, conserves: 'linear momentum', adaptive: false}],
   gyroscopic: () => 'none',
-  substeps: () => 4,
+  substeps: ({'ideal-step': ideal}, dt) => (ideal === 0 ? 4 : Math.min(8, Math.ceil(4 * dt / ideal - 1e-6))),
   joints: {types: ['ball', 'hinge', 'fixed', 'slider', 'cylindrical', 'planar', 'universal'], limits: ['hinge', 'slider'],
     friction: ['hinge', 'slider'],
     why: {distance: 'Havok takes no limit of LINEAR_DISTANCE (HP_Constraint_SetAxisMode answers RESULT_INVALIDARGS): it keeps no distance.'}},
@@ -31,7 +32,7 @@ export const about = {
       reason: 'groups and masks of the scene as bits; bodies that a joint ties do not touch'},
   ],
   unforceable: [
-    'A step is four substeps: gravity acts in each (measured; no call sets or tells their number).',
+    `A step is four substeps where ideal-step is 0, and else 4 dt/ideal-step, rounded up, at most 8: gravity acts in each (measured; no call sets or tells their number). Of a step longer than ${longest_step} ideal steps the rest is cut off, and a remark says it.`,
     'Inverse masses and inverse moments have about 8 bits: up to 0.4 % of each. HP_Body_GetMassProperties tells what was set, so the adapter measures what is held, by an impulse before the start, and a remark says it.',
     'There is no gyroscopic torque and no switch for it (HavokPhysics.d.ts has none; a free body keeps its angular velocity).',
     `A body slower than ${slow} m/s is braked, also where it never sleeps: at 0.09 m/s and without gravity by 0.3 m/s^2 (measured). No call sets it (HavokPhysics.d.ts).`,
@@ -376,7 +377,13 @@ class World {
         this.past.set(name, `'${name}', step ${this.steps}: it is past the edge of the box that stands for '${plane}'.`);
   }
 
-  remarks() { return [...this.lost.values(), ...this.past.values(), ...(this.rounded ? [this.rounded] : []), ...(this.left_out?.remarks() ?? [])]; }
+  /** Bodies move for a part of a long step alone. */
+  cut() {
+    const most = longest_step * this.values['ideal-step'];
+    return most > 0 && this.dt > most ? [`In a step of ${this.dt} s Havok moves bodies for ${most.toPrecision(3)} s: what is longer than ${longest_step} ideal steps is cut off.`] : [];
+  }
+
+  remarks() { return [...this.cut(), ...this.lost.values(), ...this.past.values(), ...(this.rounded ? [this.rounded] : []), ...(this.left_out?.remarks() ?? [])]; }
 
   free() {
     const {H} = this;

@@ -3,7 +3,7 @@
 // NAME says which module of this folder is the engine.
 //
 // A module exports `about`, what it says of itself (settings.mjs; its joints: joints.mjs; `substeps`, of the values of its
-// options, where a step has several parts with gravity of their own), and `start()`, which gives {version, load(scene, dt,
+// options and the step, where a step has several parts with gravity of their own), and `start()`, which gives {version, load(scene, dt,
 // values), defaults()}.  A world that load() gives has step(), push(i, force, torque), read(i): {position,
 // orientation, velocity, spin}, free() and, where there is something to say of a run, remarks(); where a mass may change,
 // set_mass(i, mass).
@@ -133,7 +133,7 @@ class Session {
     this.load_ns = cpu_ns() - before;
     say({
       ok: 'load', path: chosen.path, integrator: chosen.integrator, order: this.world.order ?? 1, gyroscopic: this.about.gyroscopic(chosen.values),
-      substeps: this.about.substeps?.(chosen.values) ?? 1,
+      substeps: this.about.substeps?.(chosen.values, request.dt) ?? 1,
       settings: [...settings_of(this.about, chosen), ...force_settings(this.forces.any)], unforceable: this.about.unforceable,
     });
     const start = new Frame(scene.bodies.length);

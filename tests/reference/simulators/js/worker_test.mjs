@@ -161,20 +161,36 @@ for (const engine of engines) {
   });
 }
 
+const unit = [1, 0, 0, 0, 1, 0, 0, 0, 1];
+
 // v' = v + g h, x' = x + v' h with h = dt/n: a step of n parts from rest falls g dt^2 (1 + 1/n)/2.
 const parts = [
   ...engines.map((engine) => [engine, {}, {rapier: 4, havok: 4}[engine] ?? 1]),
   ['rapier', {options: {'solver-iterations': '1'}}, 1], ['rapier', {options: {'solver-iterations': '7'}}, 7],
   ['rapier', {path: 'as-shipped'}, 4],
+  ...[[1 / 30, 8], [1 / 60, 4], [1 / 90, 3], [1 / 120, 2], [1 / 240, 1], [1 / 512, 1]].map(([dt, n]) => ['havok', {path: 'as-shipped', dt}, n]),
+  ['havok', {path: 'as-shipped', options: {'ideal-step': '0'}, dt: 1 / 120}, 4],
 ];
 for (const [engine, asked, substeps] of parts.filter(([name]) => engines.includes(name)))
   test(`${engine} tells ${substeps} substeps ${JSON.stringify(asked)}, and makes them`, () => {
-    const falls = scene({body: [body({velocity: [0, 0, 0], angular_velocity: [0, 0, 0]})], gravity: [0, -9.7, 0]}), dt = 0.2;
-    const [told, start, end] = talk(engine, [load({scene: falls, dt, ...asked}), run({steps: 1})]).messages;
+    const falls = scene({body: [body({velocity: [0, 0, 0], angular_velocity: [0, 0, 0]})], gravity: [0, -97, 0]}), dt = asked.dt ?? 0.2;
+    const [told, start, end] = talk(engine, [load({scene: falls, ...asked, dt}), run({steps: 1})]).messages;
     assert.equal(told.substeps, substeps);
-    const fallen = (start.frame.states[0][1] - end.frame.states[0][1]) / (9.7 * dt * dt);
+    const fallen = (start.frame.states[0][1] - end.frame.states[0][1]) / (97 * dt * dt);
     assert.ok(Math.abs(fallen - (1 + 1 / substeps) / 2) < 1e-5, `${fallen}`);
   });
+
+test('havok tells what it cuts off a step', {skip: !engines.includes('havok')}, () => {
+  const went = (dt) => {
+    const messages = talk('havok', [load({scene: scene({body: [body({mass: 1, velocity: [10, 0, 0], angular_velocity: [0, 0, 0], inertia: unit})]}), path: 'as-shipped', dt}), run({steps: 1})]).messages;
+    return [(messages.at(-2).frame.states[0][0] - messages.at(-3).frame.states[0][0]) / (10 * dt), messages.at(-1).remarks];
+  };
+  const [whole, silent] = went(2.5 / 60), [part, [told]] = went(0.1);
+  assert.ok(Math.abs(whole - 1) < 1e-3, `${whole}`);
+  assert.deepEqual(silent, []);
+  assert.ok(Math.abs(part - 2.582 / 6) < 1e-3, `${part}`);
+  assert.equal(told, 'In a step of 0.1 s Havok moves bodies for 0.0430 s: what is longer than 2.58 ideal steps is cut off.');
+});
 
 test('rapier tells what it holds a motion to', {skip: !engines.includes('rapier')}, () => {
   const fast = body({velocity: [0, 500, 0]}), spinning = body({name: 'b', angular_velocity: [0, 0, 90], inertia: [1, 0, 0, 0, 1, 0, 0, 0, 1]});
@@ -192,7 +208,6 @@ test('crashcat leaves out turns of less than 1e-6 rad in a step, as it says', {s
   assert.ok(Math.abs(turned(1.1e-3) - 0.55e-3) < 1e-6);  // sin of half of 1.1e-3 rad
 });
 
-const unit = [1, 0, 0, 0, 1, 0, 0, 0, 1];
 test('havok tells the mass that it holds, and who is past the edge of a plane', {skip: !engines.includes('havok')}, () => {
   const remarks = (members, rest) => talk('havok', [load({scene: scene({body: [body({inertia: unit, ...members})], ...rest})}), run()]).messages.at(-1).remarks;
   const [rounded] = remarks({mass: 3});
