@@ -45,40 +45,25 @@ const BodyState& end(const Recording& r) { return r.states.back().front(); }
 
 // ---- Damping ------------------------------------------------------------------------------------------
 // Some engines damp by default.  The other probes are asked of what such an engine does besides:  v' = a - c v  with the
-// rates c of a free body, so that  v = r v0 + a (1 - r)/c,  r = exp(-c t).
+// rates c of a free body (damping_of), so that  v = r v0 + a (1 - r)/c,  r = exp(-c t).
 
 // Single precision rounds a thousand times on the way.
 double rate(double left, double t) { return std::abs(1 - left) < 1e-4 ? 0 : -std::log(left) / t; }
 
-struct Damping {
-  double linear = 0, angular = 0;  // [1/s]
-
-  static double left(double c, double t) { return std::exp(-c * t); }
-  // What a velocity has of a push of 1 that lasts for t, and a way of it:  (1 - r)/c  and  (t - (1 - r)/c)/c.
-  static double gained(double c, double t) { return c == 0 ? t : (1 - left(c, t)) / c; }
-  static double moved(double c, double t) { return c == 0 ? t * t / 2 : (t - gained(c, t)) / c; }
-};
-
-Damping damping_of(const Runner& run) {
-  const BodyState s = end(run(ball(Vector3::Zero(), {0.6, 0, -0.8}, {0.36, -0.48, 0.8}), 1.0 / 64, 64, 64));
-  return {rate(s.velocity.norm(), 1), rate(s.angular_velocity.norm(), 1)};
-}
-
-Finding damping(const Runner& run) {
-  const Damping c = damping_of(run);
+Finding damping(const Runner&, const Damping& damped) {
   const auto lost = [](double rate) { return 1 - Damping::left(rate, 1); };
-  const std::string evidence =
-      fmt::format("decrease in 1 s: {:.2g} of 1 m/s, {:.2g} of 1 rad/s", lost(c.linear), lost(c.angular));
-  if (c.linear == 0 && c.angular == 0) return {"none", evidence};
-  return {fmt::format("linear {:.3g}/s, angular {:.3g}/s", c.linear, c.angular), evidence};
+  const std::string evidence = fmt::format("decrease in 1 s: {:.2g} of 1 m/s, {:.2g} of 1 rad/s",
+                                           lost(damped.linear), lost(damped.angular));
+  if (damped.linear == 0 && damped.angular == 0) return {"none", evidence};
+  return {fmt::format("linear {:.3g}/s, angular {:.3g}/s", damped.linear, damped.angular), evidence};
 }
 
 // ---- Free fall ---------------------------------------------------------------------------------------
 // n steps of dt: explicit Euler ends g T dt/2 too high, semi-implicit Euler as much too low, k sub-steps a
 // k-th of it, integrators of second order and above exactly.
-Finding fall(const Runner& run) {
+Finding fall(const Runner& run, const Damping& damped) {
   constexpr double dt = 1.0 / 512, T = 1.0 / 8, v = 1.1;
-  const double c = damping_of(run).linear;
+  const double c = damped.linear;
   Scene scene = ball({0, 1, 0}, {0.3, v, -0.4});
   scene.forces.emplace_back(core::UniformGravity{{0, -g, 0}});
   const Recording r = run(scene, dt, 64, 64);
@@ -97,10 +82,10 @@ Finding fall(const Runner& run) {
 // ---- A spring --------------------------------------------------------------------------------------
 // Order from the error at dt, dt/2, dt/4; where energy goes from its largest error in the first and the
 // second half: a symplectic integrator keeps it within a band.
-Finding spring(const Runner& run) {
+Finding spring(const Runner& run, const Damping& damped) {
   constexpr double k = 100, T = 2;
   // x = exp(-b t) (x0 cos w t + (v0 + b x0)/w sin w t)
-  const double b = damping_of(run).linear / 2, w = std::sqrt(k - b * b);
+  const double b = damped.linear / 2, w = std::sqrt(k - b * b);
   const Vector3 x0(0.6, -0.3, 0.2), v0(1, 2, -3), y0 = (v0 + b * x0) / w;
   Scene scene = ball(x0, v0);
   scene.forces.emplace_back(core::Spring{0, Vector3::Zero(), core::world, Vector3::Zero(), k, 0, 0});
@@ -141,7 +126,7 @@ Finding spring(const Runner& run) {
 // ---- A spinning brick ----------------------------------------------------------------------------------
 // Without the gyroscopic torque the angular velocity keeps its direction; an explicit one feeds energy, an implicit one
 // takes it, both by the first power of the step.  Damping shortens all vectors alike.
-Finding gyroscopic(const Runner& run) {
+Finding gyroscopic(const Runner& run, const Damping& damped) {
   const Vector3 moments(0.4, 0.68, 0.9), w0(1.3, 2.1, -3.2);
   Scene scene = ball(Vector3::Zero(), Vector3::Zero(), w0);
   // With the surface of its brick: an engine may look at that to see whether a body still moves.
@@ -150,7 +135,7 @@ Finding gyroscopic(const Runner& run) {
   scene.bodies[0].collide = true;
   scene.bodies[0].inertia = moments.asDiagonal();
   const double energy0 = w0.dot(moments.cwiseProduct(w0)) / 2, spin0 = moments.cwiseProduct(w0).norm();
-  const double left = Damping::left(damping_of(run).angular, 2);
+  const double left = Damping::left(damped.angular, 2);
   std::vector<double> energy, spin;
   double turned = 0;
   for (const std::int64_t n : {480, 960}) {
@@ -180,9 +165,9 @@ Finding gyroscopic(const Runner& run) {
 // ---- An elastic bounce -----------------------------------------------------------------------------------
 // Speed in the last step before, and in the first after: v' = |v|: the target is the speed before the step's
 // gravity; v' = |v| + g dt: after it; energy kept at any fraction of the step: at the impact's own instant.
-Finding bounce(const Runner& run) {
+Finding bounce(const Runner& run, const Damping& damped) {
   constexpr double dt = 1.0 / 256;
-  const double left = Damping::left(damping_of(run).linear, dt);
+  const double left = Damping::left(damped.linear, dt);
   const Recording r = run(over_floor(ball({0, 1.137, 0}, {0, -0.4, 0}), 1, 0, g), dt, 200, 1);
   for (std::size_t i = 1; i < r.states.size(); ++i) {
     const BodyState &a = r.states[i - 1].front(), &b = r.states[i].front();
@@ -204,10 +189,10 @@ Finding bounce(const Runner& run) {
 
 // ---- The slowest bounce ----------------------------------------------------------------------------------
 // Without gravity a ball drifts onto a wall: v' = e v at any speed.
-Finding slow_bounce(const Runner& run) {
+Finding slow_bounce(const Runner& run, const Damping& damped) {
   constexpr std::array speeds = {0.01, 0.03, 0.1, 0.3, 1.0, 3.0};
   constexpr double e = 0.8;
-  const double left = Damping::left(damping_of(run).linear, 0.75);
+  const double left = Damping::left(damped.linear, 0.75);
   std::vector<std::string> ratios;
   double none = 0, lost = 0;  // up to which speeds it has none, and another than the scene's
   for (const double v : speeds) {
@@ -232,9 +217,9 @@ Finding slow_bounce(const Runner& run) {
 // ---- Friction --------------------------------------------------------------------------------------------
 // A flat box slides at 0, 22.5 and 45 degrees: mu g against its motion under Coulomb's cone; up to sqrt(2)
 // times that, and sideways, under a pyramid on the axes.
-Finding friction(const Runner& run) {
+Finding friction(const Runner& run, const Damping& damped) {
   constexpr double mu = 0.3, v = 2, T = 0.25;
-  const double c = damping_of(run).linear, left = Damping::left(c, T), gained = Damping::gained(c, T);
+  const double c = damped.linear, left = Damping::left(c, T), gained = Damping::gained(c, T);
   std::vector<double> along, across;
   for (const double degrees : {0.0, 22.5, 45.0}) {
     const double a = degrees * std::numbers::pi / 180;
@@ -271,7 +256,8 @@ Finding limit(const Runner& run, std::array<double, 4> speeds, double left, cons
       const Recording r = run(start(v), 1.0 / 60, 6, 1);
       for (std::size_t i = 1; i < r.states.size(); ++i) kept = std::max(kept, speed(r.states[i].front()));
     } catch (const RunFailed& failed) {
-      return {fmt::format("below {:g} {}, with which no body may start", v, unit), failed.outcome.reason};
+      return {fmt::format("less than {:g} {}, a start that it does not hold", v, unit),
+              failed.outcome.reason};
     }
     if (kept < (1 - 1e-3) * left * v || kept > (1 + 1e-3) * v)
       return {fmt::format("{:.4g} {}", kept, unit), fmt::format("{:g} {} becomes {:.4g}", v, unit, kept)};
@@ -280,18 +266,18 @@ Finding limit(const Runner& run, std::array<double, 4> speeds, double left, cons
           fmt::format("{:g} {} are kept for 0.1 s", fmt::join(speeds, ", "), unit)};
 }
 
-Finding speed_limit(const Runner& run) {
+Finding speed_limit(const Runner& run, const Damping& damped) {
   return limit(
-      run, {1e2, 1e3, 1e4, 1e5}, Damping::left(damping_of(run).linear, 0.1), "m/s",
+      run, {1e2, 1e3, 1e4, 1e5}, Damping::left(damped.linear, 0.1), "m/s",
       [](double v) {
         return ball(Vector3::Zero(), {0.6 * v, 0, -0.8 * v});
       },
       [](const BodyState& s) { return s.velocity.norm(); });
 }
 
-Finding spin_limit(const Runner& run) {
+Finding spin_limit(const Runner& run, const Damping& damped) {
   return limit(
-      run, {10, 1e2, 1e3, 1e4}, Damping::left(damping_of(run).angular, 0.1), "rad/s",
+      run, {10, 1e2, 1e3, 1e4}, Damping::left(damped.angular, 0.1), "rad/s",
       [](double w) {
         return ball(Vector3::Zero(), Vector3::Zero(), {0, 0.6 * w, -0.8 * w});
       },
@@ -299,10 +285,9 @@ Finding spin_limit(const Runner& run) {
 }
 
 // The turn of one step, which some engines make by a linear or a limited formula.
-Finding turn_per_step(const Runner& run) {
+Finding turn_per_step(const Runner& run, const Damping& damped) {
   constexpr double dt = 1.0 / 60;
-  const double left =
-      Damping::left(damping_of(run).angular, dt);  // of the spin, before or after it turns the body
+  const double left = Damping::left(damped.angular, dt);  // of the spin, before or after it turns the body
   std::vector<std::string> turns;
   double exact = 0;
   bool all = true;
@@ -326,17 +311,17 @@ Finding turn_per_step(const Runner& run) {
 
 // ---- What happens when nothing acts ----------------------------------------------------------------
 
-Finding sleeping(const Runner& run) {
+Finding sleeping(const Runner& run, const Damping& damped) {
   constexpr double v = 1e-3;
   const BodyState s = end(run(ball(Vector3::Zero(), {v, 0, 0}, {0, v, 0}), 1.0 / 60, 600, 600));
-  const double way = s.position.x() / (v * Damping::gained(damping_of(run).linear, 10));
+  const double way = s.position.x() / (v * Damping::gained(damped.linear, 10));
   const std::string evidence =
       fmt::format("a body at 1 mm/s covers {:.4f} of the expected distance in 10 s", way);
   return {std::abs(way - 1) < 1e-2 ? "never" : "slow bodies are stopped", evidence};
 }
 
 // A cylinder that lies on a box.
-Finding rest(const Runner& run) {
+Finding rest(const Runner& run, const Damping&) {
   Scene scene = ball({0, 0.2, 0}, Vector3::Zero());
   core::Body& top = scene.bodies[0];
   top.shape = core::Cylinder{0.2, 0.5};
@@ -359,7 +344,7 @@ Finding rest(const Runner& run) {
 }
 
 // Every number that comes back fits a float exactly, or not.
-Finding precision(const Runner& run) {
+Finding precision(const Runner& run, const Damping&) {
   const Recording r = run(ball({0.1, 0.7, -0.3}, {0.37, 1.3, -2.1}), 0.01, 20, 1);
   int doubles = 0, numbers = 0;
   for (std::size_t i = 1; i < r.states.size(); ++i)
@@ -389,15 +374,30 @@ constexpr std::array table = {
 
 }  // namespace
 
+Damping damping_of(const Runner& run) {
+  const BodyState s = end(run(ball(Vector3::Zero(), {0.6, 0, -0.8}, {0.36, -0.48, 0.8}), 1.0 / 64, 64, 64));
+  return {rate(s.velocity.norm(), 1), rate(s.angular_velocity.norm(), 1)};
+}
+
 std::span<const Probe> probes() { return table; }
 
 std::vector<Finding> find_out(const Runner& run) {
+  const auto failure = [](const RunFailed& failed) {
+    return Finding{std::string(results::name(failed.outcome.status)), failed.outcome.reason};
+  };
   std::vector<Finding> findings;
+  Damping damped;
+  try {
+    damped = damping_of(run);
+  } catch (const RunFailed& failed) {  // it does not even let a ball fly
+    findings.assign(table.size(), failure(failed));
+    return findings;
+  }
   for (const Probe& probe : table) {
     try {
-      findings.push_back(probe.ask(run));
+      findings.push_back(probe.ask(run, damped));
     } catch (const RunFailed& failed) {
-      findings.push_back({std::string(results::name(failed.outcome.status)), failed.outcome.reason});
+      findings.push_back(failure(failed));
     }
   }
   return findings;

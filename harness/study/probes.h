@@ -4,6 +4,7 @@
 
 #include "harness/study/runner.h"
 
+#include <cmath>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,10 +16,24 @@ struct Finding {
   std::string evidence;  ///< The numbers that say so, in one sentence.
 };
 
+/// By what a free body loses velocity and spin [1/s]:  v' = a - c v.  All other answers are of what an engine does besides.
+struct Damping {
+  double linear = 0, angular = 0;  // [1/s]
+
+  /// r = exp(-c t)
+  static double left(double c, double t) { return std::exp(-c * t); }
+  /// What a velocity has of a push of 1 that lasts for t, and a way of it:  (1 - r)/c  and  (t - (1 - r)/c)/c.
+  static double gained(double c, double t) { return c == 0 ? t : (1 - left(c, t)) / c; }
+  static double moved(double c, double t) { return c == 0 ? t * t / 2 : (t - gained(c, t)) / c; }
+};
+
+/// Throws RunFailed.
+Damping damping_of(const Runner&);
+
 struct Probe {
   std::string_view name;  ///< "fall", "gyroscopic torque"
   std::string_view asks;  ///< What is found out, one sentence.
-  Finding (*ask)(const Runner&);
+  Finding (*ask)(const Runner&, const Damping&);
 };
 
 std::span<const Probe> probes();

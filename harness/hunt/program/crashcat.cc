@@ -39,7 +39,6 @@ ${planes}${shapes}  id = body.map(({m, I}, i) => {
   ground = enter({shape: null, objectLayer: ghost, motionType: C.MotionType.STATIC});
 ${joints}}
 
-const across = (a) => { const c = cross(a, abs(a[0]) < 0.6 ? [1, 0, 0] : [0, 1, 0]); return mul(1 / norm(c), c); };
 function join(constraint, a, b, numbers) {
   const ends = {bodyIdA: id[a].id, bodyIdB: (b < 0 ? ground : id[b]).id, space: C.ConstraintSpace.WORLD};
   constraint.create(world, {...ends, ...numbers});

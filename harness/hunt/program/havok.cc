@@ -48,10 +48,6 @@ ${body_settings}    H.HP_World_AddBody(world, made, false);
 ${joints}  start[take].forEach(({v, w}, i) => { H.HP_Body_SetLinearVelocity(id[i], v), H.HP_Body_SetAngularVelocity(id[i], w); });
 }
 
-const across = (a) => {
-  const k = [0, 1, 2].reduce((k, i) => (abs(a[i]) < abs(a[k]) ? i : k), 0), c = cross(a, [0, 1, 2].map((i) => (i === k ? 1 : 0)));
-  return mul(1 / norm(c), c);
-};
 function join(a, b, point, along, side, locked) {
   if (b < 0 && !ground) H.HP_World_AddBody(world, ground = make([0, 0, 0], [1, 0, 0, 0], H.MotionType.STATIC), false);
   const made = of(H.HP_Constraint_Create());

@@ -58,7 +58,6 @@ function join(settings, numbers, a, b) {
   if (b >= 0) apart.DisableCollision(a, b);
 }
 
-const across = (a) => { const c = cross(a, abs(a[0]) < 0.6 ? [1, 0, 0] : [0, 1, 0]); return mul(1 / norm(c), c); };
 const hinge = (p, a) => ({mPoint1: real(p), mPoint2: real(p), mHingeAxis1: vec(a), mHingeAxis2: vec(a), mNormalAxis1: vec(across(a)),
   mNormalAxis2: vec(across(a))});
 

@@ -92,6 +92,7 @@ const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a
 const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
 const norm = (a) => sqrt(dot(a, a));
 const square = (x) => x * x;
+const across = (a) => { const k = a.map(abs).indexOf(min(...a.map(abs))), c = cross(a, [0, 1, 2].map((i) => (i === k ? 1 : 0))); return mul(1 / norm(c), c); };
 const turn = (q, v) => { const u = q.slice(1), t = mul(2, cross(u, v)); return add(add(v, mul(q[0], t)), cross(u, t)); };
 const back = (q, v) => turn([q[0], -q[1], -q[2], -q[3]], v);
 const record = (s) => [s], append = (path, s) => path.push(s);

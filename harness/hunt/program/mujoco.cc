@@ -21,8 +21,6 @@ std::string text(const V& numbers) {
   return all;
 }
 
-V from_z(const V& n) { return n[2] > -0.5 ? V{1 + n[2], -n[1], n[0], 0} : V{-n[1], 1 - n[2], 0, n[0]}; }
-
 // At the end of a body, whose mark is its number in MuJoCo.
 void put(int i, const std::string& element) { mjcf.insert(mjcf.find("<!--" + std::to_string(i + 1) + "-->"), element); }
 
@@ -156,7 +154,7 @@ const Dialect mujoco = {
     "  put(${i}, \"<geom ${shape}/>\");\n",
     "",
     "  put(-1, \"<geom type='plane' size='0 0 1' pos='\" + text(${foot}) + \"' quat='\" + "
-    "text(from_z(${normal_vector})) + \"'/>\");\n",
+    "text(${turn_of_z}) + \"'/>\");\n",
     shapes,
     joints,
     settings,
