@@ -20,9 +20,8 @@ root = pathlib.Path(__file__).resolve().parent.parent
 numbers = root / "docs" / "engine_table.json"
 
 # Title, engines as measured, and the engines of engines.txt for which the row stands.  Settings and integrator as an expert
-# sets them, where there is such a path, else the engine's default integrator.  Of several engines as measured a scene shows the better:
-# MuJoCo 3 has no path as-expert, and an expert takes Runge-Kutta 4, as path=as-expert of MuJoCo 2.2 does, but where forces of the scene act, which
-# MuJoCo 3 gets for a step at once, Euler's scheme, its default.  A stand-in runs what the engine has no concept of, in a labelled way.
+# sets them, where there is such a path, else the engine's default integrator.  MuJoCo 3 has no such path: the second of its engines is for scenes in
+# which nothing can touch and gravity alone acts, as path=as-expert of MuJoCo 2.2 has it, whose forces are those of each stage.  A stand-in runs what the engine has no concept of, in a labelled way.
 families = [
     ("in-house", ["in-house"], ["in-house", "in-house-float"]),
     ("Bullet", ["bullet/path=as-expert"], ["bullet", "bullet-float", "bullet-multibody", "bullet-multibody-float"]),
@@ -86,19 +85,18 @@ def reduced(document, families):
     table = document["tables"][0]
     result = {}
     for title, names, _ in families:
-        rows = []
-        for engine in names:
-            cell = next((c for c in table["cells"] if table["series"][c["series"]]["engine"] == engine), None)
-            if cell is None:
-                sys.exit(f"docs/engine_table.py: no cell of {engine} on {table['scenario']}")
-            rows.append({"engine": engine, "version": table["series"][cell["series"]]["version"], **reached(table, cell, times)})
-        result[title] = max(rows, key=merit)  # the first of equals
+        engine = names[-1] if flies_freely(table["scenario"]) else names[0]
+        cell = next((c for c in table["cells"] if table["series"][c["series"]]["engine"] == engine), None)
+        if cell is None:
+            sys.exit(f"docs/engine_table.py: no cell of {engine} on {table['scenario']}")
+        result[title] = {"engine": engine, "version": table["series"][cell["series"]]["version"], **reached(table, cell, times)}
     return result
 
 
-def merit(row):
-    """The greater, the better: an engine that meets an error at a coarser step, the larger error first."""
-    return [reach.get("step", 0) for reach in row.get("reach", [])]
+def flies_freely(scenario):
+    """Whether nothing in a scene can touch and gravity alone acts."""
+    scene = tomllib.loads((root / "scenarios" / f"{scenario}.toml").read_text())
+    return not {"material", "spring", "drag", "thrust", "drive", "attraction", "water", "plugin_force"} & scene.keys()
 
 
 def keep(scene, document, load):
