@@ -34,6 +34,8 @@ Bodies::Bodies(Model model, bool account)
     force.add_features(asked);
     return !(asked & not_affine).empty();
   });
+  rotors_ = std::ranges::any_of(model_.forces.coordinate_laws,
+                                [](const CoordinateLaw& law) { return law.armature != 0; });
   int rows = 0;
   for (const Joint& joint : model_.joints) {
     rows += row_count(joint.type);
@@ -125,9 +127,11 @@ void Bodies::load(Time t, const Real* y) {
   find_loads(t, motion, nullptr);
 }
 
-void Bodies::gather(const Motion* motion) {
+// The conditions of joints, and the rows of what moves with them.
+void Bodies::gather(const Motion* motion, bool rotors) {
   rows_.rows.clear();
   for (const Joint& joint : model_.joints) add_rows(joint, model_.bodies, motion, rows_.rows);
+  if (rotors) add_rotor_rows(model_, motion, rows_.rows);
 }
 
 // The motions of all bodies, from a state that need not have those that are locked; `turned`: with unit
@@ -169,7 +173,7 @@ void Bodies::rates(Time t, const Real* y, Real* rate) {
   } else if (constrained()) {
     for (std::size_t i = 0; i < count_; ++i)
       pull_ = std::max(pull_, loads_[i].force.norm() / model_.bodies[i].mass);
-    gather(motion);
+    gather(motion, true);
     rows_.constrain_accelerations(model_.bodies, motion, kinematics_.data(), loads_.data());
   }
   const bool turning = model_.frame.has_value();
@@ -220,11 +224,16 @@ void Bodies::kick(Time t, Real h, Real* y) {
   if (holder_) {
     holder_->hold(t, model_.bodies, motion, kinematics_.data(), loads_.data());
     add_momenta(h, loads_, motion);
-  } else if (!reads_velocities_ || !affine_) {
+  } else if (!affine_ || (!reads_velocities_ && !rotors_)) {
+    if (rotors_) {
+      gather(motion, true);
+      rows_.measure(model_.bodies, motion);
+      rows_.project_loads(model_.bodies, loads_.data());
+    }
     add_momenta(h, loads_, motion);
   } else {
     if (constrained()) {
-      gather(motion);
+      gather(motion, true);
       rows_.measure(model_.bodies, motion);
     }
     constexpr int most_halvings = 20;

@@ -101,7 +101,7 @@ class Bodies {
   bool kick_by_series(Time t, Real h, Motion*);
   void move(Real h, Real* y);
   void free_drift(Real h, Real* y);
-  void gather(const Motion*);
+  void gather(const Motion*, bool rotors = false);
   Motion* open(Real* y);
   void close(const Motion*, Real* y);
   const Motion* upright(const Real* y, bool turned);
@@ -113,7 +113,7 @@ class Bodies {
 
   Model model_;
   std::vector<Switch> switches_;
-  bool account_ = false, reads_velocities_ = false, affine_ = true;
+  bool account_ = false, reads_velocities_ = false, affine_ = true, rotors_ = false;
   std::size_t count_ = 0, extras_ = 0;  // extras_: Reals of y before the motions
   std::vector<std::size_t> turning_;    // the coordinate laws that count turns
   std::size_t angles_ = 0;              // where their angles begin in y

@@ -67,8 +67,11 @@ void Rows::measure(const std::vector<Body>& bodies, const Motion* motion, bool c
   ends_.clear();
   for (const Row& row : rows) ends_.push_back({end(row.body), end(row.to)});
   factor_.set_pattern(ends_);
-  factor_.factor([&](std::size_t i, std::size_t j) { return coupling(rows[i], rows[j], bodies); }, dependent,
-                 closed);
+  factor_.factor(
+      [&](std::size_t i, std::size_t j) {
+        return coupling(rows[i], rows[j], bodies) + (i == j ? yield(rows[i]) : Real(0));
+      },
+      dependent, closed);
 }
 
 // A lambda = -residual, lambda = 0 for dependent rows.
@@ -172,6 +175,7 @@ void Rows::project_velocities(const std::vector<Body>& bodies, Motion* motion) {
   for (Row& row : rows) {
     row.residual = speed(row.body, row.direction, row.spin);
     if (row.to != fixed_world) row.residual -= speed(row.to, row.direction, row.to_spin);
+    if (row.rotor > 0) row.residual -= row.offset;
   }
   solve();
   for (const Row& row : rows) engine::push(row, bodies, motion);

@@ -11,7 +11,8 @@ namespace cylon::engine {
 
 /// One scalar condition.  Its rate is  c' = n.(v_a - v_b) + s_a.w_a - s_b.w_b  and
 /// c'' = n.(a_a - a_b) + s_a.alpha_a - s_b.alpha_b + bias,  with v and a of the reference points.  A
-/// condition on points has s = r x n; one on orientations has n = 0.
+/// condition on points has s = r x n; one on orientations has n = 0.  A row with a rotor is none: c is free, and moves the
+/// rotor too, which pulls by lambda = -rotor c''.
 struct Row {
   int body = 0;
   int to = fixed_world;
@@ -22,6 +23,7 @@ struct Row {
   Real bias = 0;                       ///< The part of c'' that the velocities alone make [m/s^2].
   Real offset = 0;                     ///< c [m, rad].
   Real rounding = 0;                   ///< |c| below this is closed.
+  Real rotor = 0;                      ///< [kg, kg m^2]; 0: the row is a condition.
 
   // Filled by the solver.
   Vector3 spin = Vector3::Zero();     ///< I_a^-1 s_a, world axes.
@@ -33,14 +35,17 @@ struct Row {
 /// Entry of J M^-1 J^T: what a unit multiplier on one row does to the other [1/kg, 1/(kg m), 1/(kg m^2)].
 Real coupling(const Row&, const Row&, const std::vector<Body>&);
 
-/// Rows and the linear system (J M^-1 J^T) lambda = -residual that they share, sparse: for chains and trees the
-/// work is linear in the number of rows.  Rows that follow from others (two ball joints on one axis) get lambda =
-/// 0.  Arrays of motion, kinematics and loads have one entry per body.
+/// What the rotor of a row yields to a unit multiplier, beside what the bodies do: 1/rotor; 0 for a condition.
+inline Real yield(const Row& row) { return row.rotor > 0 ? 1 / row.rotor : Real(0); }
+
+/// Rows and the linear system (J M^-1 J^T + D) lambda = -residual that they share, D the yields of rotors; sparse: for
+/// chains and trees the work is linear in the number of rows.  Rows that follow from others (two ball joints on one axis)
+/// get lambda = 0.  Arrays of motion, kinematics and loads have one entry per body.
 class Rows {
  public:
   std::vector<Row> rows;
 
-  /// Makes c'' = 0: adds the constraint forces and torques to the loads.
+  /// Makes c'' = 0, and lambda = -rotor c'' on rows with a rotor: adds the forces and torques to the loads.
   void constrain_accelerations(const std::vector<Body>&, const Motion*, const Kinematics*, Load*);
 
   /// Whether every |c| is below its rounding.
@@ -54,7 +59,8 @@ class Rows {
   /// I^-1 s lambda.
   void project_positions(const std::vector<Body>&, Motion*);
 
-  /// Makes c' = 0 by impulses at the constraint; seed eq. 88, 89 and 94-97 (errata 25, 33).
+  /// Makes c' = 0 by impulses at the constraint; seed eq. 88, 89 and 94-97 (errata 25, 33).  Of a row with a rotor, which
+  /// turned at the rate `offset` before: lambda = -rotor (c' - offset).
   void project_velocities(const std::vector<Body>&, Motion*);
 
   /// Finds the impulses that change each c by -change (to first order after a time h) and adds them to the
@@ -62,8 +68,8 @@ class Rows {
   void measure(const std::vector<Body>&, const Motion*, bool closed = false);
   void push(const std::vector<Real>& change, Real h, const std::vector<Body>&, Motion*);
 
-  /// Takes from the loads what would change c' at once: J M^-1 load = 0.  Linear in the loads.  The rows must
-  /// have been measured.
+  /// Takes from the loads what would change c' at once: J M^-1 load = 0, or of a row with a rotor, what that takes of it.
+  /// Linear in the loads.  The rows must have been measured.
   void project_loads(const std::vector<Body>&, Load*);
 
  private:

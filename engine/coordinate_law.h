@@ -1,4 +1,4 @@
-// What acts on a free coordinate of a joint: a smooth force, dry friction, and limits.
+// What acts on a free coordinate of a joint: a smooth force, dry friction, limits, and a rotor.
 #pragma once
 
 #include "engine/coordinate.h"
@@ -39,9 +39,10 @@ struct Target {
 /// The generalised force on a coordinate q
 ///   Q = -stiffness (q - target(t)) - damping (q' - target'(t)) - quadratic_damping q' |q'| + force,
 /// on `body` along the coordinate, on `to` against it, of power Q q' together.  Beside it, dry friction of at
-/// most `friction` against q', and at rest against what would move it; and limits, at which q' turns round to
-/// -restitution q'.  The forces apply() has Q alone; friction and limits are contacts of one row
-/// (engine/contact/candidate.h).
+/// most `friction` against q', and at rest against what would move it; limits, at which q' turns round to
+/// -restitution q'; and a rotor that q drives through gears, of kinetic energy armature q'^2/2, which pulls by
+/// -armature q''.  The forces apply() has Q alone; friction and limits are contacts of one row
+/// (engine/contact/candidate.h), and the rotor is a row beside those of joints (engine/constraint.h).
 struct CoordinateLaw {
   Coordinate at;
   Real stiffness = 0;          ///< [N/m, N m/rad], >= 0.
@@ -50,6 +51,7 @@ struct CoordinateLaw {
   Real force = 0;              ///< [N, N m]
   Target target;
   Real friction = 0;  ///< The largest force of dry friction [N, N m], >= 0.
+  Real armature = 0;  ///< Of the rotor [kg, kg m^2], >= 0.
   Real lower = -std::numeric_limits<Real>::infinity(), upper = std::numeric_limits<Real>::infinity();
   Real restitution = 0;  ///< Of the limits: Newton's, [0, 1].
   bool held = false;     ///< Q is a matter of who solves constraints, and no force of apply().
@@ -57,7 +59,7 @@ struct CoordinateLaw {
   bool has_lower() const { return lower > -std::numeric_limits<Real>::infinity(); }
   bool has_upper() const { return upper < std::numeric_limits<Real>::infinity(); }
   bool is_limited() const { return has_lower() || has_upper(); }
-  /// Whether Q is anything at all, beside friction and limits.
+  /// Whether Q is anything at all, beside friction, limits and the rotor.
   bool has_smooth_force() const {
     return stiffness != 0 || damping != 0 || quadratic_damping != 0 || force != 0;
   }
@@ -72,6 +74,7 @@ struct CoordinateLaw {
     if (quadratic_damping != 0) features.add(Feature::quadratic_damping);
     if (is_limited()) features.add(Feature::joint_limit);
     if (friction != 0) features.add(Feature::joint_friction);
+    if (armature != 0) features.add(Feature::joint_rotor);
     if (is_limited() || friction != 0) features.add(Feature::contact);
   }
   bool reads_velocities() const { return damping != 0 || quadratic_damping != 0; }

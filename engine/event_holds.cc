@@ -11,9 +11,17 @@
 
 namespace cylon::engine {
 
-std::vector<Row> EventStepper::joint_rows(const Motion* motion) const {
+// What joints keep.
+std::vector<Row> EventStepper::conditions(const Motion* motion) const {
   std::vector<Row> rows;
   for (const Joint& joint : system_.model().joints) add_rows(joint, system_.model().bodies, motion, rows);
+  return rows;
+}
+
+// The same, and the rotors on their coordinates: all that answers a push through joints.
+std::vector<Row> EventStepper::joint_rows(const Motion* motion) const {
+  std::vector<Row> rows = conditions(motion);
+  add_rotor_rows(system_.model(), motion, rows);
   return rows;
 }
 
@@ -99,7 +107,7 @@ void EventStepper::turn_slips() {
 void EventStepper::project(const std::vector<Body>& bodies, Motion* motion) {
   constexpr int sweeps = 4;  // of Newton's method: each leaves the square of what is small already
   const auto gather = [&](bool speeds) {
-    rows_.rows = joint_rows(motion);
+    rows_.rows = conditions(motion);
     bool closed = rows_.closed();
     std::vector<Row> three;
     for (const HeldPoint& h : held_) {

@@ -58,9 +58,10 @@ std::vector<std::size_t> numbers(const std::vector<Reading>& readings) {
   return bodies;
 }
 
-std::size_t rows_of(const std::vector<Joint>& joints) {
-  int rows = 0;
-  for (const Joint& joint : joints) rows += row_count(joint.type);
+std::size_t rows_of(const Model& model) {
+  std::ptrdiff_t rows = std::ranges::count_if(model.forces.coordinate_laws,
+                                              [](const CoordinateLaw& law) { return law.armature != 0; });
+  for (const Joint& joint : model.joints) rows += row_count(joint.type);
   return static_cast<std::size_t>(rows);
 }
 
@@ -112,7 +113,7 @@ EventStepper::EventStepper(Reduced reduced, const Integrator& integrator, Time d
       neighbours_(candidates_, system_.model().bodies),
       seams_(system_.model()),
       gravity_(system_.model().strongest_gravity()),
-      joint_rows_(rows_of(system_.model().joints)),
+      joint_rows_(rows_of(system_.model())),
       account_(account),
       adaptive_(integrator.kind == Kind::adaptive),
       splits_(integrator.kind == Kind::splitting),

@@ -142,7 +142,10 @@ class EventStepper final : public Stepper, private Holder {
   TouchPoint touch_of(const HeldPoint&, const Motion*) const;
   ContactForces support(Time, const Real* y);
   ContactForces support_within(Time from, Real s);
+  std::vector<Row> conditions(const Motion*) const;
   std::vector<Row> joint_rows(const Motion*) const;
+  std::vector<Real> rotor_rates() const;
+  void turn_rotors(const std::vector<Real>& rates);
   Real scale_of(const Candidate&, const Motion*) const;
   Real touch_margin(const Candidate&, const Motion*) const;
   Real room_of(const HeldPoint&, const Motion*) const;
@@ -157,7 +160,7 @@ class EventStepper final : public Stepper, private Holder {
   Real outermost_ = 0;         // of the locked bodies, with their shapes, from the origin [m]
   Seams seams_;
   Real gravity_;            // the strongest [m/s^2]
-  std::size_t joint_rows_;  // of all joints
+  std::size_t joint_rows_;  // of all joints and their rotors
   bool account_, adaptive_, splits_;
   Time dt_, start_time_;
   std::int64_t steps_ = 0;

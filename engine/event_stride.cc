@@ -39,8 +39,10 @@ Real EventStepper::stride(Time from, Time span) {
     const std::vector<Row> joints = joint_rows(motion);
     const Response response(touches, joints, bodies, motion);
     VectorX free(static_cast<Eigen::Index>(response.rows().size()));
-    for (Eigen::Index i = 0; i < free.size(); ++i)
-      free[i] = speed_of(response.rows()[static_cast<std::size_t>(i)], bodies, motion);
+    for (Eigen::Index i = 0; i < free.size(); ++i) {
+      const Row& row = response.rows()[static_cast<std::size_t>(i)];
+      free[i] = row.rotor > 0 ? 0 : speed_of(row, bodies, motion);  // a rotor keeps the rate that it has
+    }
     VectorX offset = response.offset(free);
     for (std::size_t i = 0; i < least.size(); ++i) offset[3 * static_cast<Eigen::Index>(i)] -= least[i];
     CoulombProblem problem = coulomb_problem(response, touches, std::move(offset));
@@ -59,17 +61,38 @@ Real EventStepper::stride(Time from, Time span) {
   }
   held_.clear();
   system_.set_holder(this);  // joints are closed by close_gaps()
+  const std::vector<Real> rates = rotor_rates();
   system_.drift(h, y_.data());
+  turn_rotors(rates);
   resting_ = false;
   fresh_ = instant_ = true;
   return off;
+}
+
+std::vector<Real> EventStepper::rotor_rates() const {
+  const std::vector<Body>& bodies = system_.model().bodies;
+  std::vector<Row> rows;
+  add_rotor_rows(system_.model(), motions(), rows);
+  std::vector<Real> rates;
+  for (const Row& row : rows) rates.push_back(speed_of(row, bodies, motions()));
+  return rates;
+}
+
+// The drift has turned the axes of rotors, and with them the rates of their coordinates, as if there were none.
+void EventStepper::turn_rotors(const std::vector<Real>& rates) {
+  if (rates.empty()) return;
+  Motion* motion = motions();
+  rows_.rows = joint_rows(motion);
+  for (std::size_t k = 0; k < rates.size(); ++k)
+    rows_.rows[rows_.rows.size() - rates.size() + k].offset = rates[k];
+  rows_.project_velocities(system_.model().bodies, motion);
 }
 
 // What the strides left of surfaces inside each other, and of joints apart.
 void EventStepper::close_gaps() {
   const std::vector<Body>& bodies = system_.model().bodies;
   Motion* motion = motions();
-  rows_.rows = joint_rows(motion);
+  rows_.rows = conditions(motion);
   for (const Spot& spot : spots()) {
     if (spot.touch.gap > 0 || spot.touch.axis > 0) continue;
     std::vector<Row> three;

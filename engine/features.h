@@ -46,6 +46,7 @@ enum class Feature : unsigned {
   joint_couples,   ///< A screw.
   joint_limit,     ///< A coordinate of a joint has an end.
   joint_friction,  ///< Dry friction on a coordinate of a joint.
+  joint_rotor,     ///< A coordinate of a joint drives a rotor.
   // Contacts, and the shapes of bodies that may touch something.
   contact,
   lasting_contact,  ///< One that free flight and a plane under a body do not express.
@@ -112,6 +113,7 @@ inline constexpr std::array feature_names = {
     FeatureName{Feature::joint_couples, "screws"},
     FeatureName{Feature::joint_limit, "limits of joints"},
     FeatureName{Feature::joint_friction, "dry friction in joints"},
+    FeatureName{Feature::joint_rotor, "rotors on joints"},
     FeatureName{Feature::contact, "contacts"},
     FeatureName{Feature::lasting_contact, "contacts that persist"},
     FeatureName{Feature::friction, "friction"},

@@ -154,6 +154,14 @@ void add_rows(const Joint& joint, const std::vector<Body>& bodies, const Motion*
   if (joint.type.couples) add_coupling(joint, a, b, rows);
 }
 
+void add_rotor_rows(const Model& model, const Motion* motion, std::vector<Row>& rows) {
+  for (const CoordinateLaw& law : model.forces.coordinate_laws) {
+    if (law.armature == 0) continue;
+    rows.push_back(row_of(law.at, model.bodies, motion));
+    rows.back().rotor = law.armature;
+  }
+}
+
 Misfit misfit_of_place(const Joint& joint, const Vector3& apart, const Quaternion& to) {
   switch (joint.type.place) {
     case Joint::Place::together:

@@ -23,4 +23,7 @@ Misfit misfit_of_turn(const Joint&, const Quaternion& body, const Quaternion& to
 /// Differential Equations II, section VII.1, index reduction.
 void add_rows(const Joint&, const std::vector<Body>&, const Motion*, std::vector<Row>&);
 
+/// Adds the rows of all rotors on coordinates of joints.
+void add_rotor_rows(const Model&, const Motion*, std::vector<Row>&);
+
 }  // namespace cylon::engine

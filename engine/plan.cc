@@ -152,6 +152,8 @@ class Stages {
         "a coordinate of a joint has a limit", "no joint has a limit");
     add("dry friction in joints", any(laws, [](const CoordinateLaw& law) { return law.friction != 0; }),
         "a coordinate of a joint has dry friction", "no joint has dry friction");
+    add("rotors on joints", any(laws, [](const CoordinateLaw& law) { return law.armature != 0; }),
+        "a coordinate of a joint drives a rotor", "no joint drives a rotor");
     add("broad phase", broad(), "many bodies can touch: a grid finds the pairs",
         contact ? "few bodies can touch" : nothing);
     add("detection", contact || options_.full, contact ? "surfaces can touch" : "option model = full",
@@ -295,6 +297,9 @@ std::string unsupported(const Model& given, const Options& options, const Names&
     if (const Features beyond = required(model) & not_affine; !beyond.empty())
       return std::string(integrator->name) + " cannot integrate " + engine::names(beyond) +
              ": its kicks are exact for forces that are affine in the momenta";
+  if (integrator && integrator->kind == Kind::splitting && required(model).has(Feature::joint_rotor))
+    return std::string(integrator->name) + " cannot integrate " + engine::names({Feature::joint_rotor}) +
+           ": no part of the motion is theirs alone";
   const std::optional<Path> path = path_of(model, options);
   if (!path) return no_path(model, options);
   return options.force ? "" : unresolved(model, *path, names);

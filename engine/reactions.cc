@@ -56,6 +56,7 @@ std::optional<std::vector<Reaction>> reactions(const Model& model, const Snapsho
       if (moves(joint.body) || moves(joint.to)) add_rows(joint, bodies, motions, rows.rows);
     }
     first.push_back(rows.rows.size());
+    add_rotor_rows(model, motions, rows.rows);
     rows.constrain_accelerations(bodies, motions, all.kinematics.data(), all.loads.data());
     for (std::size_t j = 0; j < model.joints.size(); ++j) {
       const Joint& joint = model.joints[j];

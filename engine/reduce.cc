@@ -256,6 +256,14 @@ void order(Reduced& reduced) {
   std::sort(m.apart.begin(), m.apart.end());
 }
 
+// Whether a rotor turns with a body against what stands still: its pull is none that a body's own inertia knows.
+bool drives_rotor(const Model& model, int body) {
+  const auto stands = [&](int end) { return end == fixed_world || model.bodies[index(end)].locked; };
+  return std::ranges::any_of(model.forces.coordinate_laws, [&](const CoordinateLaw& law) {
+    return law.armature != 0 && ((law.at.body == body && stands(law.at.to)) || (law.at.to == body && stands(law.at.body)));
+  });
+}
+
 void reduce_joints(Reduced& reduced) {
   Model& m = reduced.model;
   for (Joint& joint : m.joints) fasten(m, joint);
@@ -266,7 +274,7 @@ void reduce_joints(Reduced& reduced) {
     const bool touches = i != fixed_world && !m.surfaces.empty() && m.surfaces[index(i)] != no_surface;
     const Reducible* form = find_reducible(joint.type);
     if (to_world && form && !touches && !floats(m) && !m.frame && m.bodies[index(i)].mass_rate == 0 &&
-        pin(reduced, joint, *form)) {
+        !drives_rotor(m, i) && pin(reduced, joint, *form)) {
       reduced.pinned.push_back("body " + std::to_string(i) + " " + form->motion);
       m.joints.erase(m.joints.begin() + static_cast<std::ptrdiff_t>(k));
     } else {

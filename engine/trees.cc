@@ -100,6 +100,7 @@ Trees::Trees(Model model) : model_(std::move(model)), count_(movable_end(model_.
     if (root) ++root->members, root->mass += model_.bodies[index(node.body)].mass;
   }
   count_turns();
+  add_rotors();
 }
 
 void Trees::hang(int body, const Joint* joint, int parent) {
@@ -156,6 +157,33 @@ void Trees::count_turns() {
       const Real along = ours.dot((carried ? below : above) * law.at.axis);
       counted_.push_back({k, node.at + static_cast<std::size_t>(node.slides) + (second ? 1 : 0),
                           (along > 0) == from_body ? Real(1) : Real(-1), law.at.near});
+    }
+  }
+}
+
+// A rotor turns with c.q', c the axis of its law in terms of those of its joint: their inertia is armature c c^T.
+void Trees::add_rotors() {
+  for (const CoordinateLaw& law : model_.forces.coordinate_laws) {
+    if (law.armature == 0) continue;
+    for (Node& node : nodes_) {
+      const bool same = node.body == law.at.body && node.parent == law.at.to,
+                 turned = node.body == law.at.to && node.parent == law.at.body;
+      if (node.members > 0 || !(same || turned)) continue;
+      const bool slides = law.at.kind == Coordinate::Kind::displacement;
+      const int carrier = law.at.on_body ? law.at.body : law.at.to;
+      const Vector3 axis =
+          carrier == fixed_world ? law.at.axis : Vector3(kinematics_[index(carrier)].rotation * law.at.axis);
+      Vector3 along = Vector3::Zero();
+      for (int i = 0; slides && i < node.slides; ++i) along[i] = axis.dot(direction(node, i, kinematics_.data()));
+      if (!slides) {
+        // Of two the first is about the axis that the parent carries.
+        const Vector3 first = kinematics_[node.above].rotation * node.first,
+                      second = kinematics_[index(node.body)].rotation * node.second_axis;
+        const bool of_body = node.angles > 1 && carrier == node.body;
+        along[node.slides + (of_body ? 1 : 0)] = axis.dot(of_body ? second : first);
+      }
+      node.rotor += law.armature * along * along.transpose();
+      node.drives = true;
     }
   }
 }
@@ -330,7 +358,9 @@ template <int N>
 void Trees::lean(const Node& node, Articulated& a) {
   const Eigen::Matrix<Real, 6, N> s = a.space.template leftCols<N>();
   const Eigen::Matrix<Real, 6, N> force = a.inertia * s;
-  const Eigen::Matrix<Real, N, N> mass = s.transpose() * force;
+  Eigen::Matrix<Real, N, N> mass = s.transpose() * force;
+  if constexpr (N <= 3)
+    if (node.drives) mass += node.rotor.template topLeftCorner<N, N>();
   const Eigen::Matrix<Real, N, 1> push = -s.transpose() * a.bias;
   a.push.template head<N>() = push;
   if (!model_.moves(

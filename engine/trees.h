@@ -17,7 +17,7 @@ struct Options;
 /// accelerations,
 ///   A_i = X_i A_p + g_i + S_i q'',   I_i A_i + b_i = what the joints exert,
 /// with  A = (alpha, a),  X_i the shift from the parent's centre,  S_i the motion that the joint leaves free and g_i what its
-/// change and the spins add.
+/// change and the spins add.  A rotor on a coordinate of the joint adds its inertia to S_i^T I_i S_i, as in section 9.6.
 /// y: of each body that can move, parents first, the displacements of its joint, its angles or, where it turns freely, its
 /// orientation, and the rates of both (a free spin is that of the body, not against its parent).  Of a tree that hangs from
 /// nothing the first three are the centre of mass of the whole, which only forces from outside change.
@@ -66,6 +66,8 @@ class Trees {
     std::size_t members = 0;  // of the tree that begins here and hangs from nothing; else 0
     Real mass = 0;            // of that tree
     int slides = 0, angles = 0, freedoms = 0;
+    bool drives = false;               // rotors, of
+    Matrix3 rotor = Matrix3::Zero();   // their inertia in terms of the rates
     std::size_t rates_at() const { return at + coordinates(); }
     std::size_t coordinates() const {
       const int count = slides + (turns == Turns::freely ? 4 : angles);
@@ -82,6 +84,7 @@ class Trees {
 
   void hang(int body, const Joint*, int parent);
   void count_turns();
+  void add_rotors();
   void place(const Node&, const Real* y, Motion*, Kinematics*) const;
   struct Sums {
     Vector3 places = Vector3::Zero(), momentum = Vector3::Zero();

@@ -225,6 +225,11 @@ void World::kick(int body, const Vector3& impulse, const Vector3& angular_impuls
       r * (kicked.inertia * (kicked.inverse_inertia * (r.transpose() * angular_impulse)));
   Rows rows;
   for (const Joint& joint : model_->joints) add_rows(joint, bodies(), now.data(), rows.rows);
+  const auto first = static_cast<std::ptrdiff_t>(rows.rows.size());
+  add_rotor_rows(*model_, now.data(), rows.rows);
+  const std::vector<Motion>& before = motions();
+  std::for_each(rows.rows.begin() + first, rows.rows.end(),
+                [&](Row& row) { row.offset = speed_of(row, bodies(), before.data()); });
   if (!rows.rows.empty()) rows.project_velocities(bodies(), now.data());
   if (whole()) return begin_anew(now);
   motions_ = std::move(now);

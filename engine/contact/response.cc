@@ -38,7 +38,7 @@ Real mobility(const Row& row, const std::vector<Body>& bodies) {
     const Body& b = bodies[index(body)];
     return b.inverse_mass * row.direction.squaredNorm() + b.inverse_moments.maxCoeff() * lever.squaredNorm();
   };
-  return of(row.body, row.lever) + of(row.to, row.to_lever);
+  return of(row.body, row.lever) + of(row.to, row.to_lever) + yield(row);
 }
 
 }  // namespace
@@ -94,6 +94,7 @@ Response::Response(std::span<const TouchPoint> touches, std::span<const Row> joi
       g(i, j) = coupling(rows_[static_cast<std::size_t>(i)], rows_[static_cast<std::size_t>(j)], bodies);
       g(j, i) = g(i, j);
     }
+    g(i, i) += yield(rows_[static_cast<std::size_t>(i)]);
   }
   matrix_ = g.topLeftCorner(contacts_, contacts_);
   if (m == 0) return;

@@ -20,7 +20,7 @@ Matrix3 contact_frame(const Vector3& normal);
 void append_rows(const TouchPoint&, const std::vector<Body>&, const Motion*, std::vector<Row>&);
 
 /// Rows of contacts, three per point, and of joints after them.  Joints pull and push as they must, so they
-/// are eliminated: with G = J M^-1 J^T in blocks c (contacts) and j (joints),
+/// are eliminated: with G = J M^-1 J^T in blocks c (contacts) and j (joints, with the yields of their rotors),
 ///   A = G_cc - G_cj G_jj^+ G_jc,   q = q_c - G_cj G_jj^+ q_j,   lambda = -G_jj^+ (q_j + G_jc f).
 class Response {
  public:

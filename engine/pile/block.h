@@ -20,9 +20,9 @@ inline bool moves(const Mover& m) { return m.inverse_mass > 0 || !m.inverse_iner
 /// What a block keeps of the solution that gave it its impulse.
 struct Past {
   Real acted = 0;                     ///< For how long, of what forces gave [s].
-  bool known = false;                 ///< Whether that was a leap, which left:
+  bool known = false;                 ///< Whether that was a leap, or of a rotor any solution, which left:
   Vector3 u = Vector3::Zero();        ///< Of hold its part in `space`.
-  Vector3 normal = Vector3::UnitY();  ///< Of a contact.
+  Vector3 normal = Vector3::UnitY();  ///< Of a contact and of a rotor.
 };
 
 /// With u the velocity of a's point against b's (angular: the angular velocity of a against b's) and J the

@@ -25,10 +25,10 @@ bool is_stiff(CoordinateLaw law, const std::vector<Body>& bodies, Time dt) {
 
 }  // namespace
 
-// Forces in joints that are solved with the joints: what is not stable by itself in a step, or might not be.
+// What in joints is solved with the joints: forces that are not stable by themselves in a step, or might not be, and rotors.
 Model BodyPile::with_stiff_laws_held(Model model, Time dt) {
   for (CoordinateLaw& law : model.forces.coordinate_laws)
-    law.held = law.quadratic_damping != 0 || is_stiff(law, model.bodies, dt);
+    law.held = law.quadratic_damping != 0 || law.armature != 0 || is_stiff(law, model.bodies, dt);
   return model;
 }
 
@@ -61,8 +61,10 @@ BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings, st
   const auto stiff = std::ranges::count_if(model_.forces.coordinate_laws, [&](const CoordinateLaw& law) {
     return is_stiff(law, model_.bodies, dt);
   });
-  implicit_ = stiff > 0;
-  if (implicit_) log_.note(DiagnosticKind::joint_forces_implicit, start, static_cast<double>(stiff));
+  rotors_ = std::ranges::any_of(model_.forces.coordinate_laws,
+                                [](const CoordinateLaw& law) { return law.armature != 0; });
+  implicit_ = stiff > 0 || rotors_;
+  if (stiff > 0) log_.note(DiagnosticKind::joint_forces_implicit, start, static_cast<double>(stiff));
   changing_ = masses_.any() || std::ranges::any_of(model_.forces.frame_forces, [](const FrameForce& frame) {
                 return !frame.angular_acceleration.isZero(0);
               });
@@ -382,6 +384,7 @@ void BodyPile::substep(Time now, Time h, bool direct) {
   for (std::size_t i = 0; keep_ && i < blocks_.size(); ++i)
     if (takes(blocks_[i])) pressed_[i] += blocks_[i].impulse;
   if (isolated_) islands_.limit_energy(motions_), set_kinematics();
+  if (rotors_) note_rotors();
   drift(static_cast<Real>(h));
   model_.forces.follow_turns(model_.bodies, motions_.data(), static_cast<Real>(h));
 }

@@ -60,6 +60,7 @@ class BodyPile : public Stepper {
   void meet(const Group&, Time now, Real h);
   static Model with_stiff_laws_held(Model, Time dt);
   void soften(Block&, Time now, Real span, Real h) const;
+  void note_rotors();
   Real gap_of_stop(const Block&) const;
   void look_at_stops();
   void note_impact(std::size_t block, Time now, Real gap, Real approach);
@@ -146,6 +147,7 @@ class BodyPile : public Stepper {
   bool other_forces_ = false, isolated_ = false;
   bool steady_ = true;     // a step is at most half of one in which forces do not overshoot
   bool implicit_ = false;  // forces in joints are those of the end of a step
+  bool rotors_ = false;
   bool paired_ = false;    // a force acts between two bodies that move
 };
 

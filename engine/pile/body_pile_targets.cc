@@ -47,6 +47,7 @@ void BodyPile::note_impacts(Time now) {
 
 // The law at the end of the part, with q there = q + h u; s the span for which it acts:
 //   J = s Q = s (F - k (q - r) + c r') - s (c + c_2 |u_before| + h k) u,  r the target at the end
+// and of a rotor, which has turned at u_before,  J = -A (u - u_before).
 void BodyPile::soften(Block& block, Time now, Real span, Real h) const {
   const CoordinateLaw& law = model_.forces.coordinate_laws[index(block.law)];
   const Real q = row_of(law.at, model_.bodies, motions_.data()).offset;
@@ -54,6 +55,21 @@ void BodyPile::soften(Block& block, Time now, Real span, Real h) const {
   block.push = span * (law.force - law.stiffness * (q - target.value) + law.damping * target.rate);
   const Real speed = std::abs(block.normal.dot(block.before));
   block.drag = span * (law.damping + law.quadratic_damping * speed + h * law.stiffness);
+  if (law.armature == 0) return;
+  // As the last part left it: since then axes have turned, which a rotor answers too.
+  const Past& past = block.past;
+  const Real turned = past.known ? past.normal.dot(past.u) : block.normal.dot(block.before);
+  block.push += law.armature * turned, block.drag += law.armature;
+}
+
+// How fast rotors turn, before the drift turns their axes.
+void BodyPile::note_rotors() {
+  for (Block& block : blocks_) {
+    if (block.kind != Block::Kind::soft || !takes(block)) continue;
+    if (model_.forces.coordinate_laws[index(block.law)].armature == 0) continue;
+    block.past.u = relative_velocity(block, movers_), block.past.normal = block.normal;
+    block.past.known = true;
+  }
 }
 
 // How far the coordinate is from the limit now, negative beyond [m, rad].

@@ -305,11 +305,12 @@ namespace field_tables {
 /// Units along a displacement and along an angle.
 struct AlongDisplacement {
   static constexpr std::string_view value = "m", force = "N", stiffness = "N/m", damping = "N s/m",
-                                    quadratic = "N s^2/m^2";
+                                    quadratic = "N s^2/m^2", inertia = "kg";
 };
 struct AlongAngle {
   static constexpr std::string_view value = "rad", force = "N m", stiffness = "N m/rad",
-                                    damping = "N m s/rad", quadratic = "N m s^2/rad^2";
+                                    damping = "N m s/rad", quadratic = "N m s^2/rad^2",
+                                    inertia = "kg m^2";
 };
 
 template <class Units>
@@ -344,6 +345,11 @@ constexpr auto coordinate() {
             {.unit = Units::force,
              .range = not_negative,
              .meaning = "Largest force of dry friction, static and kinetic."}},
+      Field{"armature",
+            &C::armature,
+            {.unit = Units::inertia,
+             .range = not_negative,
+             .meaning = "Of a rotor geared to the coordinate: its kinetic energy is armature q'^2/2."}},
       Field{"target", &C::target, {.unit = Units::value, .meaning = "Where the spring is without force."}},
       Field{"target_amplitude",
             &C::target_amplitude,

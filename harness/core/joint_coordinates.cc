@@ -41,6 +41,11 @@ double slope(const JointCoordinate& c, std::size_t k) {
 
 }  // namespace
 
+Vector3 direction_of(const Joint& joint, Ordinal which) {
+  if (!kind_of(joint.type).has_second_axis()) return joint.axis;
+  return which == Ordinal::first ? *joint.axis_2 : Vector3(joint.axis.cross(*joint.axis_2));
+}
+
 double joint_displacement(const HeldJoint& joint, Ordinal which, const State& state) {
   const End a = first_end(joint, state), b = second_end(joint, state);
   return (a.position - b.position).dot(b.orientation * direction(joint, which));
@@ -101,6 +106,8 @@ bool has_force(const JointCoordinate& c) {
 
 bool has_limit(const JointCoordinate& c) { return c.lower || c.upper; }
 
+bool has_rotor(const JointCoordinate& c) { return c.armature != 0; }
+
 void reverse(JointCoordinate& c) {
   for (double* value : {&c.start, &c.force, &c.target, &c.target_amplitude}) *value = -*value;
   for (double& value : c.target_values) value = -value;
@@ -135,6 +142,36 @@ double joint_potential_error(const HeldJoint& joint, const State& state, const S
     sum += slope(c, joint_displacement(joint, c.which, state)) * 2 * (e.position + reach * e.orientation);
   for (const JointAngle& c : joint.angles)
     sum += slope(c, joint_angle(joint, c.which, state)) * 2 * e.orientation;
+  return sum;
+}
+
+double rotor_energy(const HeldJoint& joint, const State& state) {
+  double sum = 0;
+  for (const JointDisplacement& c : joint.displacements)
+    if (has_rotor(c)) sum += c.armature / 2 * std::pow(joint_displacement_rate(joint, c.which, state), 2);
+  for (const JointAngle& c : joint.angles)
+    if (has_rotor(c)) sum += c.armature / 2 * std::pow(joint_angle_rate(joint, c.which, state), 2);
+  return sum;
+}
+
+// dT = armature q' dq'.  Of an angle, q' = h.(w_a - w_b), both spins and the axis are off; of a displacement,
+// q' = n.(v_a - v_b - w_b x d), the velocities of both points, the spin that carries n, d and n.
+double rotor_energy_error(const HeldJoint& joint, const State& state, const StateError& e) {
+  const End a = first_end(joint, state), b = second_end(joint, state);
+  const Vector3 d = a.position - b.position;
+  const double reach = joint.anchor.norm() + (joint.to == world ? 0 : joint.to_anchor.norm());
+  const double spins = a.spin.norm() + b.spin.norm();
+  const double of_angle = 2 * e.angular_velocity + spins * e.orientation;
+  const double of_point = e.velocity + reach * (e.angular_velocity + spins * e.orientation);
+  const double of_displacement =
+      2 * of_point + d.norm() * e.angular_velocity +
+      2 * b.spin.norm() * (e.position + reach * e.orientation) +
+      ((a.velocity - b.velocity).norm() + b.spin.norm() * d.norm()) * e.orientation;
+  double sum = 0;
+  for (const JointDisplacement& c : joint.displacements)
+    if (has_rotor(c)) sum += c.armature * std::abs(joint_displacement_rate(joint, c.which, state)) * of_displacement;
+  for (const JointAngle& c : joint.angles)
+    if (has_rotor(c)) sum += c.armature * std::abs(joint_angle_rate(joint, c.which, state)) * of_angle;
   return sum;
 }
 

@@ -7,6 +7,9 @@
 
 namespace cylon::core {
 
+/// The direction of a displacement that a joint leaves free, unit: world axes at t = 0, carried by `to`.
+Vector3 direction_of(const Joint&, Ordinal);
+
 /// A displacement of a joint that leaves it free [m]:  with d from the point on `to` to that on `body` and axes as `to`
 /// carries them,  axis . d;  of a planar joint  axis_2 . d  and  (axis x axis_2) . d.  0 at t = 0.
 double joint_displacement(const HeldJoint&, Ordinal, const State&);
@@ -29,6 +32,7 @@ bool target_moves(const JointCoordinate&);
 /// Whether a force acts that the smooth law states; limits and dry friction are others.
 bool has_force(const JointCoordinate&);
 bool has_limit(const JointCoordinate&);
+bool has_rotor(const JointCoordinate&);
 
 /// The same coordinate counted the other way: q -> -q.
 void reverse(JointCoordinate&);
@@ -62,6 +66,12 @@ bool any_coordinate(const Scene& scene, Predicate predicate) {
 /// An angle is that of joint_angle() + start; of more turns: turns.h.
 double joint_potential(
     const HeldJoint&, const State&, double (*size)(double) = [](double u) { return u; });
+
+/// Sum of the kinetic energies of the rotors on the coordinates of a joint, armature q'^2/2 [J].
+double rotor_energy(const HeldJoint&, const State&);
+
+/// First-order bound on the error of rotor_energy that an error of the state makes [J].
+double rotor_energy_error(const HeldJoint&, const State&, const StateError&);
 
 /// First-order bound on the error of joint_potential that an error of the state makes [J].
 double joint_potential_error(const HeldJoint&, const State&, const StateError&);

@@ -5,6 +5,7 @@
 #include "harness/core/force_balance.h"
 #include "harness/core/force_law.h"
 #include "harness/core/held_joint.h"
+#include "harness/core/joint_coordinates.h"
 #include "harness/core/joint_force.h"
 #include "harness/core/joint_observables.h"
 #include "harness/core/loads.h"
@@ -203,24 +204,38 @@ double kinetic(const Body& body, const BodyState& s) {
   return 0.5 * body.mass * s.velocity.squaredNorm() + 0.5 * w.dot(body.inertia * w);
 }
 
+// Calls f(joint, as it is held) for each joint that has a rotor.
+template <class F>
+void each_rotor(const Scene& scene, F f) {
+  for (const Joint& joint : scene.joints) {
+    bool turns_one = false;
+    for_each_coordinate(joint, [&](const JointCoordinate& c) { turns_one = turns_one || has_rotor(c); });
+    if (turns_one) f(held_joint(scene, joint));
+  }
+}
+
 double kinetic_total(const Scene& scene, const State& state) {
   double total = 0;
   for (std::size_t i = 0; i < state.size(); ++i) total += kinetic(scene.bodies[i], state[i]);
+  each_rotor(scene, [&](const HeldJoint& joint) { total += rotor_energy(joint, state); });
   return total;
 }
 
 void kinetic_energy(const Observable& q, const Scene& scene, const State& state, Values& values) {
-  values.push_back(scalar(sum(q, scene, state, kinetic)));
+  values.push_back(scalar(q.body ? sum(q, scene, state, kinetic) : kinetic_total(scene, state)));
 }
 
-// |dT| <= sum m |v| |dv| + I |w| (|dw| + |w| dtheta), with I the largest principal moment.
+// |dT| <= sum m |v| |dv| + I |w| (|dw| + |w| dtheta), with I the largest principal moment, and the rotors of all joints.
 double kinetic_energy_error(const Observable& q, const Scene& scene, const State& state,
                             const StateError& e) {
-  return sum(q, scene, state, [&](const Body& body, const BodyState& s) {
+  double error = sum(q, scene, state, [&](const Body& body, const BodyState& s) {
     return body.mass * s.velocity.norm() * e.velocity +
            largest_moment(body) * s.angular_velocity.norm() *
                (e.angular_velocity + s.angular_velocity.norm() * e.orientation);
   });
+  if (!q.body)
+    each_rotor(scene, [&](const HeldJoint& joint) { error += rotor_energy_error(joint, state, e); });
+  return error;
 }
 
 void energy(const Observable&, const Scene& scene, const State& state, Values& values) {

@@ -128,7 +128,8 @@ enum class Ordinal { first, second };
 /// What acts along one free coordinate q of a joint (joint_coordinates.h).  The generalised force
 ///   Q = force - stiffness (q - target(t)) - damping (q' - target'(t)) - quadratic_damping q' |q'|
 /// acts on `body` along q, and its opposite on `to`: a spring, a damper, a motor or a servo.  Beside it: limits,
-/// at which q' is reversed by `restitution`, and dry friction up to |Q| = `friction`, static = kinetic.
+/// at which q' is reversed by `restitution`, and dry friction up to |Q| = `friction`, static = kinetic; and a rotor
+/// geared to q, of kinetic energy armature q'^2/2 and no momentum of its own, so that Q moves it too.
 /// Units are those of a displacement; of an angle rad in place of m, and N m in place of N.
 struct JointCoordinate {
   Ordinal which = Ordinal::first;
@@ -140,6 +141,7 @@ struct JointCoordinate {
   double damping = 0;                  ///< [N s/m], >= 0.
   double quadratic_damping = 0;        ///< [N s^2/m^2], >= 0.
   double friction = 0;                 ///< [N], >= 0.
+  double armature = 0;                 ///< [kg], >= 0.
   /// target(t) = target + target_amplitude cos(target_frequency t + target_phase)
   double target = 0, target_amplitude = 0;  ///< [m]
   double target_frequency = 0;              ///< [rad/s]

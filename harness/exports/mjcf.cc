@@ -316,6 +316,7 @@ class Writer {
     if (c.stiffness != 0) set(made, "stiffness", c.stiffness), set(made, "springref", c.target);
     if (c.damping != 0) set(made, "damping", c.damping);
     if (c.friction != 0) set(made, "frictionloss", c.friction);
+    if (c.armature != 0) set(made, "armature", c.armature);
     if (c.force == 0) return;
     Element& actuator = add(actuators_, "general");
     set(actuator, "joint", name);

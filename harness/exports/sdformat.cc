@@ -297,6 +297,7 @@ class Writer {
     };
     if (c->start != 0) fail("start: a coordinate is 0 in the pose of the model");
     if (c->force != 0) fail("force: it has no constant force in a joint");
+    if (c->armature != 0) fail("armature: it has no rotors");
     if (c->lower || c->upper) {
       Element& limit = add(element, "limit");
       if (c->lower) add(limit, "lower", *c->lower);

@@ -87,6 +87,7 @@ Imported import_file(const fs::path& file, const Options& options, const fs::pat
   turn_up(model, options.keep_axes);
   merge_fixed(model, file.string());
   name_bodies(model);
+  if (std::ranges::find(options.leave_out, "armature") != options.leave_out.end()) leave_rotors_out(model);
   const core::Scene scene = scene_of(model);
   const std::vector<std::string> left_out = judge(model, options, file.string());
   check_starts(model, file.string());

@@ -1,5 +1,6 @@
 #include "harness/core/input_error.h"
 #include "harness/core/joint_coordinates.h"
+#include "harness/imports/losses.h"
 #include "harness/imports/steps.h"
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <utility>
 
 namespace cylon::imports {
 namespace {
@@ -88,12 +90,12 @@ std::string motions_of(const Joint& joint) {
 template <class Coordinate>
 void add_coordinate(const Freedom& f, core::Ordinal which, const core::Vector3& axis,
                     std::vector<Coordinate>& to) {
-  if (!acts(f)) return;
+  if (!acts(f) && f.armature == 0) return;
   Coordinate& c = to.emplace_back();
   c.which = which;
   c.start = f.start, c.lower = f.lower, c.upper = f.upper;
   c.stiffness = f.stiffness, c.target = f.stiffness != 0 ? f.rest : 0;
-  c.damping = f.damping, c.friction = f.friction, c.force = f.force;
+  c.damping = f.damping, c.friction = f.friction, c.force = f.force, c.armature = f.armature;
   if (f.axis.dot(axis) < 0) core::reverse(c);
 }
 
@@ -123,6 +125,13 @@ core::InputError error_at(const Joint& joint, const std::string& file, const std
   return {joint.place.file.empty() ? file : joint.place.file,
           static_cast<unsigned>(std::max(joint.place.line, 0)), 0,
           fmt::format("{}: {}", joint.place.element, why)};
+}
+
+// Rotors of which no coordinate of the joint is left.
+void lose_rotors(const Joint& joint, const core::JointKind* kind, Model& model) {
+  if (kind && kind->displacements() + kind->angles() > 0) return;
+  for (const Freedom& f : joint.freedoms)
+    if (f.armature != 0) model.losses.push_back(lost_armature(f.armature, f.moved, joint.place));
 }
 
 // A spring or a damper of a scene gives no energy.
@@ -161,6 +170,13 @@ void check_starts(const Model& model, const std::string& file) {
   }
 }
 
+void leave_rotors_out(Model& model) {
+  for (Joint& joint : model.joints)
+    for (Freedom& f : joint.freedoms)
+      if (const double inertia = std::exchange(f.armature, 0); inertia != 0)
+        model.losses.push_back({"armature", joint.place, fmt::format("{} of {:.3g}", inertia, f.moved)});
+}
+
 std::vector<core::Joint> joints_of(Model& model) {
   std::vector<core::Joint> joints;
   const std::vector<Joint> all = model.joints;
@@ -172,6 +188,7 @@ std::vector<core::Joint> joints_of(Model& model) {
       continue;
     }
     lose_what_feeds(joint, model);
+    lose_rotors(joint, row->type ? &core::kind_of(*row->type) : nullptr, model);
     if (!row->type) continue;
     core::Joint& result = joints.emplace_back();
     result.type = *row->type;

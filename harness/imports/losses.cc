@@ -25,8 +25,8 @@ constexpr std::array kinds = {
     LossKind{"tendon", left_out, "it has no force of its own"},
     LossKind{"tendon_limit", left_out, "a scene has no tendons; this one pulls only at an end of its range"},
     LossKind{"small_armature", left_out,
-             "a scene has no inertia of a rotor between two bodies; this is at most a tenth of what the "
-             "joint moves"},
+             "a scene has rotors on hinges and sliders; this one is on a ball or moves a free body, and is at "
+             "most a tenth of what that moves"},
     LossKind{"plugin", left_out,
              "a scene holds no code of another engine; this one is not known to move bodies by itself"},
     LossKind{"mocap", left_out, "the body stays where it is: nothing in a scene leads it"},
@@ -50,8 +50,8 @@ constexpr std::array kinds = {
              "one"},
     // ---- Would move otherwise ----------------------------------------------------------------------------
     LossKind{"armature", refused,
-             "a scene has no inertia of a rotor between two bodies, and this is more than a tenth of what "
-             "the joint moves"},
+             "a scene has rotors on hinges and sliders; this one is on a ball or moves a free body, and is more "
+             "than a tenth of what that moves"},
     LossKind{"actuator_force", refused, "it acts without a command, and a scene has no such force"},
     LossKind{"actuator_state", refused, "a scene has no actuator with a state of its own"},
     LossKind{"tendon_force", refused, "a scene has no tendons"},
@@ -99,6 +99,12 @@ const LossKind& loss_kind(std::string_view what) {
   for (const LossKind& kind : kinds) words.emplace_back(kind.what);
   throw std::invalid_argument(
       fmt::format("'{}' is no kind of loss{}", what, core::did_you_mean(what, words)));
+}
+
+foreign::Loss lost_armature(double inertia, double whole, const foreign::Place& place) {
+  constexpr double small = 0.1;
+  return {inertia <= small * whole ? "small_armature" : "armature", place,
+          fmt::format("{} of {:.3g}", inertia, whole)};
 }
 
 std::string text_of(const foreign::Loss& loss, const std::string& file) {

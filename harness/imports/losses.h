@@ -26,6 +26,9 @@ std::span<const LossKind> loss_kinds();
 /// The row of a word; throws std::invalid_argument, with the nearest word, where there is none.
 const LossKind& loss_kind(std::string_view what);
 
+/// A rotor that a scene has no coordinate for, of `inertia`, where `whole` moves with it [kg, kg m^2]: small up to a tenth.
+foreign::Loss lost_armature(double inertia, double whole, const foreign::Place&);
+
 /// "robot.urdf:12: joint 'hip': limit: …": place, what, detail and reason.
 std::string text_of(const foreign::Loss&, const std::string& file);
 

@@ -39,6 +39,9 @@ void check_starts(const foreign::Model&, const std::string& file);
 /// The joints of the scene, of the kinds that it has; the rest is added to the losses.
 std::vector<core::Joint> joints_of(foreign::Model&);
 
+/// Leaves the rotors of all joints out, each told as a loss.
+void leave_rotors_out(foreign::Model&);
+
 /// Shapes, planes, materials and collision groups.
 void add_contacts(foreign::Model&, core::Scene&);
 

@@ -77,6 +77,7 @@ struct Row {
   };
   std::vector<Part> parts;
   Expr rest;
+  double rotor = 0;  ///< Of a row of rotor_rows(): its inertia [kg, kg m^2].
 };
 
 /// R (w x (w x r)): what r, fixed in a turning body, accelerates by, beside R (w' x r).
@@ -88,8 +89,11 @@ void place_on_pin(const Frozen&, Motion&);
 /// The equations of all joints at these motions; their geometry is that of the start.
 std::vector<Row> joint_rows(const Builder&, const std::vector<Motion>&);
 
-/// x := x - M^-1 J^T (J M^-1 J^T)^-1 (J x + rest), on accelerations, or, at the start and without rest, on
-/// velocities.
+/// Rows of which the sum is the acceleration q'' of a coordinate with a rotor, which pulls against it by rotor q''.
+std::vector<Row> rotor_rows(const Builder&, const std::vector<Motion>&);
+
+/// x := x - M^-1 J^T (J M^-1 J^T + D)^-1 (J x + rest), on accelerations, or, at the start and without rest, on
+/// velocities; D = 1/rotor on the diagonal of rows that have one, else 0.
 void solve_joints(const Builder&, const std::vector<Row>&, std::vector<Vector>& linear,
                   std::vector<Vector>& angular, bool with_rest);
 

@@ -2,6 +2,7 @@
 //   Q = force - k (q - target(t)) - c (q' - target'(t)).
 // A displacement is a function of the places.  An angle that a spring pulls at is a state of its own, with q' as its
 // rate, and so counts whole turns.  A target that swings, A cos(f t + phase), is two states:  x' = -f y, y' = f x.
+#include "harness/core/joint_coordinates.h"
 #include "reference/certified/builder.h"
 
 namespace cylon::certified {
@@ -75,11 +76,7 @@ struct JointForces {
 
   void add(const core::Joint& joint, const core::JointDisplacement& c) {
     const End body = end(joint.body), to = end(joint.to);
-    const core::Vector3 second = joint.axis_2.value_or(joint.axis);
-    const core::Vector3 direction = !core::kind_of(joint.type).has_second_axis() ? joint.axis
-                                    : c.which == core::Ordinal::first            ? second
-                                                                      : joint.axis.cross(second).eval();
-    const Vector n = carried(to, direction);
+    const Vector n = carried(to, core::direction_of(joint, c.which));
     const Place a = place(body, joint.point), o = place(to, joint.point);
     const Vector d = a.position - o.position;
     const Expr rate = dot(n, a.velocity - o.velocity - cross(spin(to), d));

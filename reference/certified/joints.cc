@@ -1,4 +1,5 @@
 // Joints as equations for the accelerations, d^2/dt^2 (what the joint keeps) = 0.
+#include "harness/core/joint_coordinates.h"
 #include "reference/certified/builder.h"
 
 namespace cylon::certified {
@@ -96,6 +97,30 @@ struct Rows {
     row.rest = row.rest + dot(here, cross(spin, cross(spin, fixed))) +
                b.exact(2) * dot(to.at->rotation * cross(spin, fixed), rate);
     return row;
+  }
+
+  // The second derivative of a displacement: that of what `carried` is in the row above.
+  void rotor(const core::Joint& joint, const core::JointDisplacement& c) {
+    rows.push_back(carried(joint, b.vector(core::direction_of(joint, c.which))));
+    rows.back().rotor = c.armature;
+  }
+
+  // n . (R_a w_a' - R_b w_b') + n' . (R_a w_a - R_b w_b),  n' = w x n of the end that carries n
+  void rotor(const core::Joint& joint, const core::JointAngle& c) {
+    const End a = end(joint.body, 1), to = end(joint.to, -1);
+    const End& carrier = c.which == core::Ordinal::first ? to : a;
+    const Vector at_start = b.vector(c.which == core::Ordinal::first ? joint.axis : *joint.axis_2);
+    const Vector n = carrier.at ? carrier.at->rotation * fixed_in(carrier, at_start) : at_start;
+    Row row{{}, b.exact(0), c.armature};
+    Vector spin = b.zero();
+    for (const End& e : {a, to}) {
+      if (!moves(e)) continue;
+      row.parts.push_back({e.body, b.zero(), b.exact(e.sign) * (transposed(e.at->rotation) * n)});
+      const Vector own = e.at->rotation * e.at->spin;
+      spin = e.sign > 0 ? spin + own : spin - own;
+    }
+    if (moves(carrier)) row.rest = dot(cross(carrier.at->rotation * carrier.at->spin, n), spin);
+    rows.push_back(row);
   }
 
   // Two unit vectors across an axis.
@@ -255,6 +280,20 @@ std::vector<Row> joint_rows(const Builder& b, const std::vector<Motion>& now) {
   return rows.rows;
 }
 
+std::vector<Row> rotor_rows(const Builder& b, const std::vector<Motion>& now) {
+  Rows rows{b, now, {}};
+  for (const core::Joint& joint : b.scene.joints) {
+    const auto add = [&](const auto& c) {
+      if (core::has_rotor(c)) rows.rotor(joint, c);
+    };
+    for (const core::JointDisplacement& c : joint.displacements) add(c);
+    for (const core::JointAngle& c : joint.angles) add(c);
+  }
+  std::erase_if(rows.rows, [](const Row& row) { return row.parts.empty(); });
+  for (Row& row : rows.rows) use_pins(b, now, row);
+  return rows.rows;
+}
+
 void solve_joints(const Builder& b, const std::vector<Row>& rows, std::vector<Vector>& linear,
                   std::vector<Vector>& angular, bool with_rest) {
   std::vector<std::vector<Expr>> a;
@@ -265,6 +304,7 @@ void solve_joints(const Builder& b, const std::vector<Row>& rows, std::vector<Ve
     for (const Row::Part& part : row.parts) relief.back().push_back(relieved(b, part));
     a.emplace_back();
     for (const auto& other : relief) a.back().push_back(overlap(b, row, other));
+    if (row.rotor != 0) a.back().back() = a.back().back() + b.exact(1) / b.number(row.rotor);
     Expr sum = with_rest ? row.rest : b.exact(0);
     for (const Row::Part& part : row.parts)
       sum = sum + dot(part.linear, linear[part.body]) + dot(part.angular, angular[part.body]);

@@ -267,7 +267,9 @@ Model make_model(const Scene& scene, double horizon, slong bits, const Numbers& 
 
   std::vector<Vector> linear, angular;
   for (const Motion& m : motions) linear.push_back(m.acceleration), angular.push_back(m.turning);
-  solve_joints(b, joint_rows(b, motions), linear, angular, true);
+  std::vector<Row> rows = joint_rows(b, motions);
+  for (Row& row : rotor_rows(b, motions)) rows.push_back(std::move(row));
+  solve_joints(b, rows, linear, angular, true);
 
   const auto changes = [&](const auto& rates) {
     for (const Expr& x : rates) model.graph.rates.push_back(x.node);

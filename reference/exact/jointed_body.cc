@@ -1,11 +1,12 @@
 // Bodies each on one joint to the world whose free coordinates do not couple, with what acts along them: springs,
-// dampers, constant and harmonically driven forces, stops, dry friction (coordinate_motion.h).  With the joint's
+// dampers, constant and harmonically driven forces, stops, dry friction (coordinate_motion.h), and a rotor of inertia A.
+// With the joint's
 // point o, the directions e_i and values q_i of its displacements, the axis n and the angle a, and the arm r from
 // the point to the centre at t = 0, all since t = 0:
 //
 //     x = o + sum q_i e_i + R(n, a) r,   J = n.I n + m |n x r|^2
 //
-//     kind         coordinates            inertia M              pull of gravity G
+//     kind         coordinates            inertia M - A          pull of gravity G
 //     slider       displacement           m                      m g.n
 //     cylindrical  displacement, angle    m; J                   m g.n; 0
 //     planar       two, angle; n x r = 0  m, m; n.I n            m g.e_i; 0
@@ -77,6 +78,7 @@ class Jointed {
     inertia_ = turning_ + mass * pitch_ * pitch_;
     add(law_of(joint.angles, core::Ordinal::first), inertia_, mass * pitch_ * fall.dot(axis_), w.dot(axis_),
         horizon);
+    inertia_ += law_of(joint.angles, core::Ordinal::first).armature;
   }
 
   Wide inertia_of_turn() const { return inertia_; }
@@ -98,7 +100,7 @@ class Jointed {
 
  private:
   void add(const core::JointCoordinate& law, Wide inertia, Wide pull, Wide rate, Wide horizon) {
-    motions_.emplace_back(law, inertia, pull, rate, horizon);
+    motions_.emplace_back(law, inertia + Wide(law.armature), pull, rate, horizon);
     from_.push_back(law.start);
   }
 

@@ -70,7 +70,8 @@ HingedBody::HingedBody(const core::Scene& scene, std::size_t index) {
   const auto across = [this](const WideVector& v) -> WideVector { return v - axis.dot(v) * axis; };
   const WideVector lever = across(arm), fall = across(widen(gravity(scene, index))),
                    n = start.conjugate() * axis;
-  const Wide moment = n.dot(body.inertia.cast<Wide>() * n) + Wide(body.mass) * lever.squaredNorm();
+  Wide moment = n.dot(body.inertia.cast<Wide>() * n) + Wide(body.mass) * lever.squaredNorm();
+  for (const core::JointAngle& law : hinge.angles) moment += Wide(law.armature);
   frequency = std::sqrt(Wide(body.mass) * fall.norm() * lever.norm() / moment);
   if (frequency == 0) return;
 

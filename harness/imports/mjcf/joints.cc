@@ -1,4 +1,5 @@
 // Joints of the compiled tree, and the equality constraints that are joints.
+#include "harness/imports/losses.h"
 #include "harness/imports/mjcf/mjcf.h"
 
 #include <fmt/format.h>
@@ -92,10 +93,9 @@ void add_ball_joint(const Compiled& m, int joint, int to, foreign::Model& model)
 }
 
 // Inertia of rotors, which MuJoCo adds to the joint's own: q'^2 armature / 2.  Of a body that turns about an axis of the
-// world it is that of an inertia which is the same about all axes: w = q' n, and the others do no work.  Elsewhere a
-// scene has none.
-void add_armature(const Compiled& m, int joint, bool about_world, foreign::Model& model) {
-  constexpr double small = 0.1;  // of the inertia that the joint moves in the pose of the model
+// world it is that of an inertia which is the same about all axes: w = q' n, and the others do no work.  So every engine
+// has it.  Of a ball and a free body a scene has none.
+void add_armature(const Compiled& m, int joint, bool about_world, Joint& made, foreign::Model& model) {
   const auto kind = static_cast<MjJoint>(m.integer("jnt_type", joint));
   const int count = kind == MjJoint::free ? 6 : kind == MjJoint::ball ? 3 : 1;
   for (int i = m.integer("jnt_dofadr", joint), end = i + count; i < end; ++i) {
@@ -104,9 +104,10 @@ void add_armature(const Compiled& m, int joint, bool about_world, foreign::Model
     if (about_world && kind == MjJoint::hinge)
       model.bodies[static_cast<std::size_t>(m.integer("jnt_bodyid", joint))].inertia +=
           inertia * foreign::Matrix3::Identity();
+    else if (kind == MjJoint::hinge || kind == MjJoint::slide)
+      made.freedoms.back().armature = inertia, made.freedoms.back().moved = whole;
     else
-      model.losses.push_back({inertia <= small * whole ? "small_armature" : "armature",
-                              m.place("joint", joint), fmt::format("{} of {:.3g}", inertia, whole)});
+      model.losses.push_back(lost_armature(inertia, whole, m.place("joint", joint)));
   }
 }
 
@@ -182,7 +183,6 @@ void add_joints(const Compiled& m, foreign::Model& model) {
       else if (!m.name("joint", j).empty())
         model.losses.push_back(
             {"name", m.place("joint", j), fmt::format("a motion of {}", joint.place.element)});
-      add_armature(m, j, count == 1 && joint.to < 0, model);
       if (kind == MjJoint::free) {
         is_free = true;
         add_free_joint(m, j, model);
@@ -198,6 +198,7 @@ void add_joints(const Compiled& m, foreign::Model& model) {
               {"joint_kind", m.place("joint", j), "hinges of one body about axes that do not meet"});
         if (kind == MjJoint::hinge || j == first) joint.point = m.start_vector("xanchor", j);
       }
+      add_armature(m, j, count == 1 && joint.to < 0, joint, model);
     }
     if (!is_free) model.joints.push_back(joint);
   }

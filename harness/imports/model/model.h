@@ -68,6 +68,8 @@ struct Freedom {
   double start = 0;                 ///< Value of the coordinate in the pose of the model.
   std::optional<double> lower{}, upper{};
   double stiffness = 0, rest = 0, damping = 0, friction = 0, force = 0;
+  double armature = 0;  ///< Inertia of a rotor that turns with the coordinate [kg, kg m^2].
+  double moved = 0;     ///< All that moves with it in the pose of the model, the rotor too; of a rotor.
 };
 
 /// In the order from `to` to `body`; none: fixed.

@@ -36,6 +36,7 @@ void members(E& e, const auto& visit) {
   visit("kind", e.kind), visit("axis", e.axis), visit("pitch", e.pitch), visit("start", e.start);
   visit("lower", e.lower), visit("upper", e.upper), visit("stiffness", e.stiffness), visit("rest", e.rest);
   visit("damping", e.damping), visit("friction", e.friction), visit("force", e.force);
+  visit("armature", e.armature), visit("moved", e.moved);
 }
 template <Of<Joint> E>
 void members(E& e, const auto& visit) {

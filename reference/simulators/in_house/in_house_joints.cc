@@ -99,6 +99,7 @@ void add_law(const HeldJoint& held, const Stated& stated, engine::Model& model) 
   law.stiffness = real(stated.stiffness), law.damping = real(stated.damping);
   law.quadratic_damping = real(stated.quadratic_damping), law.force = real(stated.force);
   law.friction = real(stated.friction), law.restitution = real(stated.restitution);
+  law.armature = real(stated.armature);
   if (stated.lower) law.lower = real(*stated.lower);
   if (stated.upper) law.upper = real(*stated.upper);
   law.target.value = real(stated.target), law.target.amplitude = real(stated.target_amplitude);

@@ -50,11 +50,11 @@ export function reversed(c) {
     target_values: c.target_values?.map(less), lower: less(c.upper), upper: less(c.lower)};
 }
 
-/** The words of the protocol for what an engine has: {types, limits, friction: kinds of joints, counts_turns: of limits,
- *  why: reasons by kind}. */
-export const known_joints = ({types, limits, friction}) => [
+/** The words of the protocol for what an engine has: {types, limits, friction: kinds of joints, rotors: whether it has them,
+ *  counts_turns: of limits, why: reasons by kind}. */
+export const known_joints = ({types, limits, friction, rotors}) => [
   ...['slider', 'cylindrical', 'planar', 'universal', 'screw'].filter((type) => types.includes(type)).map((type) => `${type}_joints`),
-  'joint_forces', 'joint_targets', ...(limits.length ? ['joint_limits'] : []), ...(friction.length ? ['joint_friction'] : [])];
+  'joint_forces', 'joint_targets', ...(limits.length ? ['joint_limits'] : []), ...(friction.length ? ['joint_friction'] : []), ...(rotors ? ['joint_armature'] : [])];
 
 /** Throws Unsupported where a joint has what the engine has not. */
 export function require_joints({title, joints: can}, scene) {

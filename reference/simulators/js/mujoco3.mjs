@@ -19,7 +19,7 @@ export const about = {
   ],
   gyroscopic: (values) => (values.integrator === 'implicit' ? 'implicit' : 'explicit'),
   joints: {types: ['ball', 'hinge', 'fixed', 'distance', 'slider', 'cylindrical', 'planar', 'universal'], limits: ['hinge', 'slider', 'cylindrical', 'planar', 'universal'],
-    friction: ['hinge', 'slider', 'cylindrical', 'planar', 'universal'], counts_turns: true},
+    friction: ['hinge', 'slider', 'cylindrical', 'planar', 'universal'], rotors: true, counts_turns: true},
   of_the_scene: [
     {name: 'inertial', value: 'of the scene', engine_default: 'of the geoms and their density', reason: 'diaginertia in principal axes'},
     {name: 'friction, condim', value: 'of the pair', engine_default: "the larger of both geoms', 3",

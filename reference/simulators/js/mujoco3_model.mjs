@@ -45,10 +45,10 @@ const closes = ['ball', 'hinge', 'distance', 'fixed'];
 
 function require_joints(scene, forest) {
   scene.joints.forEach((joint, j) => {
-    const acts = coordinates(joint).some(({acts}) => acts && (has_limit(acts) || acts.friction !== 0));
+    const acts = coordinates(joint).some(({acts}) => acts && (has_limit(acts) || acts.friction !== 0 || acts.armature !== 0));
     const of = `The ${joint.type} joint of '${scene.bodies[joint.body].name}'`;
     if (forest.loops.includes(j) && (!closes.includes(joint.type) || acts))
-      throw new Unsupported(`${of} closes a loop, which this adapter closes by balls, hinges and fixed joints without limits and friction.`);
+      throw new Unsupported(`${of} closes a loop, which this adapter closes by balls, hinges and fixed joints without limits, friction and rotors.`);
     if (joint.type === 'planar' && coordinates(joint).some(({acts}) => acts) && forest.nodes[joint.body].joint !== j)
       throw new Unsupported(`${of} hangs '${scene.bodies[joint.to].name}' from it, and MuJoCo's displacements are of the parent's axes.`);
   });
@@ -151,7 +151,7 @@ class Writer {
   stops(acts) {
     const {lower, upper} = range(acts);
     return (has_limit(acts) ? ` limited="true" range="${t([Math.max(lower, -far), Math.min(upper, far)])}"` : '') +
-      (acts.friction !== 0 ? ` frictionloss="${t(acts.friction)}"` : '');
+      (acts.friction !== 0 ? ` frictionloss="${t(acts.friction)}"` : '') + (acts.armature ? ` armature="${t(acts.armature)}"` : '');
   }
 
   geom(i, {shape, position, orientation}, k) {

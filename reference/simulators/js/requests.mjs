@@ -59,7 +59,7 @@ type_of.set('compound', object({type: text, parts: list(part)}));
 const coordinate = object({
   which: (x, place) => must(x === 'first' || x === 'second', place, 'first or second'), start: number, 'lower?': number,
   'upper?': number, restitution: number, force: number, stiffness: number, damping: number, quadratic_damping: number,
-  friction: number, target: number, target_amplitude: number, target_frequency: number, target_phase: number,
+  friction: number, armature: number, target: number, target_amplitude: number, target_frequency: number, target_phase: number,
   'target_times?': list(number), 'target_values?': list(number)});
 const filters = {'collision_groups?': list(text), 'collision_mask?': list(text)};
 const scene = object({

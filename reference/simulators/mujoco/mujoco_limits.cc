@@ -130,11 +130,11 @@ Reason against_joints(const Scene& scene) {
     const bool loop = std::ranges::find(forest.loops, j) != forest.loops.end();
     bool acts = false;
     core::for_each_coordinate(
-        joint, [&](const core::JointCoordinate& c) { acts |= core::has_limit(c) || c.friction != 0; });
+        joint, [&](const core::JointCoordinate& c) { acts |= core::has_limit(c) || c.friction != 0 || core::has_rotor(c); });
     if (loop && (!closes(joint.type) || acts))
       return fmt::format(
           "The {} joint of '{}' closes a loop, which this adapter closes by balls, hinges and fixed joints "
-          "without limits and friction.",
+          "without limits, friction and rotors.",
           core::kind_of(joint.type).name, name);
     // Its displacements are of axes that `to` carries: MuJoCo's are of the parent.
     if (joint.type == core::JointType::planar && core::acted_on(joint) &&

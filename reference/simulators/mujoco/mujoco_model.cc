@@ -176,6 +176,7 @@ class Writer {
       words += fmt::format(" limited=\"true\" range=\"{} {}\"", text(c.lower ? *c.lower - c.start : -far),
                            text(c.upper ? *c.upper - c.start : far));
     if (c.friction != 0) words += fmt::format(" frictionloss=\"{}\"", text(c.friction));
+    if (core::has_rotor(c)) words += fmt::format(" armature=\"{}\"", text(c.armature));
     return words;
   }
 
