@@ -44,11 +44,12 @@ constexpr std::array methods = {
     MethodRow{Method::top,
               {Feature::spin, Feature::pinned_body, Feature::own_gravity, Feature::chosen_integrator,
                Feature::late_start}},
-    MethodRow{Method::bodies, rigid_bodies | all_forces | user_forces | all_joints |
-                                  Features{Feature::joint_couples, Feature::joint_rotor,
-                                           Feature::quadratic_damping, Feature::pinned_body, Feature::one_axis_body, Feature::guided_body,
-                                           Feature::turning_frame, Feature::chosen_integrator,
-                                           Feature::account, Feature::late_start, Feature::every_stage}},
+    MethodRow{Method::bodies,
+              rigid_bodies | all_forces | user_forces | all_joints |
+                  Features{Feature::joint_couples, Feature::joint_rotor, Feature::quadratic_damping,
+                           Feature::pinned_body, Feature::one_axis_body, Feature::guided_body,
+                           Feature::turning_frame, Feature::chosen_integrator, Feature::account,
+                           Feature::late_start, Feature::every_stage}},
     MethodRow{Method::trees,
               all_forces | user_forces |
                   Features{Feature::locked_body, Feature::spin, Feature::own_gravity, Feature::joint_together,
@@ -58,20 +59,21 @@ constexpr std::array methods = {
     MethodRow{Method::ballistic,
               {Feature::locked_body, Feature::spin, Feature::contact, Feature::friction, Feature::sphere,
                Feature::collision_filters, Feature::own_gravity, Feature::late_start}},
-    MethodRow{Method::events,
-              rigid_bodies | all_forces | user_forces | all_joints | all_contacts |
-                  Features{Feature::joint_couples, Feature::quadratic_damping, Feature::joint_limit,
-                           Feature::joint_friction, Feature::joint_rotor, Feature::pinned_body, Feature::one_axis_body,
-                           Feature::guided_body, Feature::chosen_integrator, Feature::account,
-                           Feature::late_start, Feature::every_stage, Feature::path_events}},
+    MethodRow{Method::events, rigid_bodies | all_forces | user_forces | all_joints | all_contacts |
+                                  Features{Feature::joint_couples, Feature::quadratic_damping,
+                                           Feature::joint_limit, Feature::joint_friction,
+                                           Feature::joint_rotor, Feature::pinned_body, Feature::one_axis_body,
+                                           Feature::guided_body, Feature::chosen_integrator, Feature::account,
+                                           Feature::late_start, Feature::every_stage, Feature::path_events}},
     MethodRow{Method::sphere_steps,
               {Feature::locked_body, Feature::spin, Feature::contact, Feature::lasting_contact,
                Feature::friction, Feature::sphere, Feature::collision_filters, Feature::own_gravity,
                Feature::late_start, Feature::every_stage, Feature::path_stepping}},
     MethodRow{Method::body_steps,
               rigid_bodies | all_forces | all_joints | all_contacts | shapes_in_steps |
-                  Features{Feature::joint_limit, Feature::joint_friction, Feature::joint_rotor, Feature::quadratic_damping,
-                           Feature::late_start, Feature::every_stage, Feature::path_stepping}},
+                  Features{Feature::joint_limit, Feature::joint_friction, Feature::joint_rotor,
+                           Feature::quadratic_damping, Feature::late_start, Feature::every_stage,
+                           Feature::path_stepping}},
 };
 
 constexpr bool one_row_each() {

@@ -260,7 +260,8 @@ void order(Reduced& reduced) {
 bool drives_rotor(const Model& model, int body) {
   const auto stands = [&](int end) { return end == fixed_world || model.bodies[index(end)].locked; };
   return std::ranges::any_of(model.forces.coordinate_laws, [&](const CoordinateLaw& law) {
-    return law.armature != 0 && ((law.at.body == body && stands(law.at.to)) || (law.at.to == body && stands(law.at.body)));
+    return law.armature != 0 &&
+           ((law.at.body == body && stands(law.at.to)) || (law.at.to == body && stands(law.at.body)));
   });
 }
 

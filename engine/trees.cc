@@ -174,7 +174,8 @@ void Trees::add_rotors() {
       const Vector3 axis =
           carrier == fixed_world ? law.at.axis : Vector3(kinematics_[index(carrier)].rotation * law.at.axis);
       Vector3 along = Vector3::Zero();
-      for (int i = 0; slides && i < node.slides; ++i) along[i] = axis.dot(direction(node, i, kinematics_.data()));
+      for (int i = 0; slides && i < node.slides; ++i)
+        along[i] = axis.dot(direction(node, i, kinematics_.data()));
       if (!slides) {
         // Of two the first is about the axis that the parent carries.
         const Vector3 first = kinematics_[node.above].rotation * node.first,

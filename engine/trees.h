@@ -66,8 +66,8 @@ class Trees {
     std::size_t members = 0;  // of the tree that begins here and hangs from nothing; else 0
     Real mass = 0;            // of that tree
     int slides = 0, angles = 0, freedoms = 0;
-    bool drives = false;               // rotors, of
-    Matrix3 rotor = Matrix3::Zero();   // their inertia in terms of the rates
+    bool drives = false;              // rotors, of
+    Matrix3 rotor = Matrix3::Zero();  // their inertia in terms of the rates
     std::size_t rates_at() const { return at + coordinates(); }
     std::size_t coordinates() const {
       const int count = slides + (turns == Turns::freely ? 4 : angles);

@@ -148,7 +148,7 @@ class BodyPile : public Stepper {
   bool steady_ = true;     // a step is at most half of one in which forces do not overshoot
   bool implicit_ = false;  // forces in joints are those of the end of a step
   bool rotors_ = false;
-  bool paired_ = false;    // a force acts between two bodies that move
+  bool paired_ = false;  // a force acts between two bodies that move
 };
 
 }  // namespace cylon::engine::pile

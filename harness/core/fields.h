@@ -309,8 +309,7 @@ struct AlongDisplacement {
 };
 struct AlongAngle {
   static constexpr std::string_view value = "rad", force = "N m", stiffness = "N m/rad",
-                                    damping = "N m s/rad", quadratic = "N m s^2/rad^2",
-                                    inertia = "kg m^2";
+                                    damping = "N m s/rad", quadratic = "N m s^2/rad^2", inertia = "kg m^2";
 };
 
 template <class Units>

@@ -169,7 +169,8 @@ double rotor_energy_error(const HeldJoint& joint, const State& state, const Stat
       ((a.velocity - b.velocity).norm() + b.spin.norm() * d.norm()) * e.orientation;
   double sum = 0;
   for (const JointDisplacement& c : joint.displacements)
-    if (has_rotor(c)) sum += c.armature * std::abs(joint_displacement_rate(joint, c.which, state)) * of_displacement;
+    if (has_rotor(c))
+      sum += c.armature * std::abs(joint_displacement_rate(joint, c.which, state)) * of_displacement;
   for (const JointAngle& c : joint.angles)
     if (has_rotor(c)) sum += c.armature * std::abs(joint_angle_rate(joint, c.which, state)) * of_angle;
   return sum;

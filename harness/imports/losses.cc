@@ -24,9 +24,10 @@ constexpr std::array kinds = {
     LossKind{"actuator", left_out, "it exerts no force until it is commanded"},
     LossKind{"tendon", left_out, "it has no force of its own"},
     LossKind{"tendon_limit", left_out, "a scene has no tendons; this one pulls only at an end of its range"},
-    LossKind{"small_armature", left_out,
-             "a scene has rotors on hinges and sliders; this one is on a ball or moves a free body, and is at "
-             "most a tenth of what that moves"},
+    LossKind{
+        "small_armature", left_out,
+        "a scene has rotors on hinges and sliders; this one is on a ball or moves a free body, and is at "
+        "most a tenth of what that moves"},
     LossKind{"plugin", left_out,
              "a scene holds no code of another engine; this one is not known to move bodies by itself"},
     LossKind{"mocap", left_out, "the body stays where it is: nothing in a scene leads it"},
@@ -49,9 +50,10 @@ constexpr std::array kinds = {
              "names of a scene are unique, are not 'world', and have no quotes, commas, * and ?; a joint has "
              "one"},
     // ---- Would move otherwise ----------------------------------------------------------------------------
-    LossKind{"armature", refused,
-             "a scene has rotors on hinges and sliders; this one is on a ball or moves a free body, and is more "
-             "than a tenth of what that moves"},
+    LossKind{
+        "armature", refused,
+        "a scene has rotors on hinges and sliders; this one is on a ball or moves a free body, and is more "
+        "than a tenth of what that moves"},
     LossKind{"actuator_force", refused, "it acts without a command, and a scene has no such force"},
     LossKind{"actuator_state", refused, "a scene has no actuator with a state of its own"},
     LossKind{"tendon_force", refused, "a scene has no tendons"},

@@ -125,6 +125,33 @@ void add_forces(Model& model) {
   }
 }
 
+// A rotor on each displacement and each angle that joints leave free, beside what acts already.
+void add_rotors(Model& model) {
+  Real armature = Real(0.02);
+  const auto add = [&](const Joint& joint, Coordinate::Kind kind, const Vector3& axis, bool on_body) {
+    CoordinateLaw law;
+    law.at.kind = kind, law.at.on_body = on_body;
+    law.at.body = joint.body, law.at.anchor = joint.anchor, law.at.to = joint.to,
+    law.at.to_anchor = joint.to_anchor;
+    law.at.axis = axis, law.at.zero = axis.unitOrthogonal();
+    law.armature = armature, armature += Real(0.03);
+    model.forces.coordinate_laws.push_back(law);
+  };
+  for (const Joint& joint : model.joints) {
+    using Kind = Coordinate::Kind;
+    if (joint.type.place == Joint::Place::along_axis) add(joint, Kind::displacement, joint.to_axis, false);
+    if (joint.type.place == Joint::Place::in_plane) {
+      // Not along the axes that the coordinates of a tree have.
+      const Vector3 one = joint.to_axis.unitOrthogonal(), two = joint.to_axis.cross(one);
+      add(joint, Kind::displacement, Real(0.6) * one + Real(0.8) * two, false);
+    }
+    if (joint.type.turn == Joint::Turn::about_axis) add(joint, Kind::angle, joint.to_axis, false);
+    if (joint.type.turn != Joint::Turn::about_two_axes) continue;
+    add(joint, Kind::angle, joint.to_axis, false);
+    add(joint, Kind::angle, joint.axis, true);
+  }
+}
+
 constexpr Root roots[] = {Root::free, Root::world, Root::locked};
 constexpr std::uint32_t trees = 28;  // four of each kind at the root, and on each root
 
@@ -148,6 +175,23 @@ TEST(Trees, MoveAsConstraintsDo) {
     const Outcome ours = run(model, coordinates, 512), theirs = run(model, constraints, 512);
     ASSERT_GT(distance(ours.motions, model.motions), 0.1) << "hardly a motion";
     EXPECT_LT(distance(ours.motions, theirs.motions), 1e-9) << number;
+  }
+}
+
+// Rotors on all coordinates change the motion, by the coordinates as by rows of constraints.
+TEST(Trees, WithRotorsMoveAsConstraintsDo) {
+  for (std::uint32_t number = 0; number < trees; ++number) {
+    const Model bare = forced_tree(number);
+    Model model = bare;
+    add_rotors(model);
+    const Options coordinates = with("rk8", 1. / 512);
+    Options constraints = coordinates;
+    constraints.constraints = true;
+    ASSERT_TRUE(hang_together(model, coordinates)) << number;
+    const Outcome ours = run(model, coordinates, 512), theirs = run(model, constraints, 512);
+    EXPECT_LT(distance(ours.motions, theirs.motions), 1e-9) << number;
+    if (model.forces.coordinate_laws.size() > bare.forces.coordinate_laws.size())
+      EXPECT_GT(distance(ours.motions, run(bare, coordinates, 512).motions), 1e-3) << number;
   }
 }
 

@@ -129,8 +129,9 @@ Reason against_joints(const Scene& scene) {
           name);
     const bool loop = std::ranges::find(forest.loops, j) != forest.loops.end();
     bool acts = false;
-    core::for_each_coordinate(
-        joint, [&](const core::JointCoordinate& c) { acts |= core::has_limit(c) || c.friction != 0 || core::has_rotor(c); });
+    core::for_each_coordinate(joint, [&](const core::JointCoordinate& c) {
+      acts |= core::has_limit(c) || c.friction != 0 || core::has_rotor(c);
+    });
     if (loop && (!closes(joint.type) || acts))
       return fmt::format(
           "The {} joint of '{}' closes a loop, which this adapter closes by balls, hinges and fixed joints "

@@ -102,8 +102,7 @@ core::Engine mujoco_engine(std::string version) {
       {}};
   engine.knows = {"collision_filters",  "frame_acceleration", "body_gravity",     "slider_joints",
                   "cylindrical_joints", "planar_joints",      "universal_joints", "joint_forces",
-                  "joint_targets",      "joint_limits",       "joint_friction",
-                  "joint_armature"};
+                  "joint_targets",      "joint_limits",       "joint_friction",   "joint_armature"};
   engine.options = mujoco_options().offered();
   return engine;
 }

@@ -81,8 +81,8 @@ void put(Bytes& out, const NamedNumbers& values) {
   for (const auto& [name, value] : values) put(out, name), put(out, value);
 }
 CYLON_FIELDS(PluginForce, a, b, c, d)
-CYLON_FIELDS(JointDisplacement, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p)
-CYLON_FIELDS(JointAngle, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p)
+CYLON_FIELDS(JointDisplacement, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q)
+CYLON_FIELDS(JointAngle, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q)
 CYLON_FIELDS(Joint, a, b, c, d, e, f, g, h, i, j, k)
 CYLON_FIELDS(Plane, a, b, c, d, e)
 CYLON_FIELDS(Frame, a, b, c, d, e)

@@ -55,7 +55,8 @@ TEST(Joints, EveryKindIsRead) {
 
 const std::string all_keys =
     "start = 0.1\nlower = -1\nupper = 2\nrestitution = 0.5\nforce = 3\nstiffness = 4\ndamping = 5\n"
-    "quadratic_damping = 6\nfriction = 7\ntarget = 0.2\ntarget_amplitude = 0.3\ntarget_frequency = 8\n"
+    "quadratic_damping = 6\nfriction = 7\narmature = 9\ntarget = 0.2\ntarget_amplitude = "
+    "0.3\ntarget_frequency = 8\n"
     "target_phase = 0.4\n";
 
 TEST(Joints, CoordinatesAreReadWrittenAndSent) {
@@ -78,6 +79,7 @@ TEST(Joints, CoordinatesAreReadWrittenAndSent) {
   EXPECT_EQ(c.damping, 5);
   EXPECT_EQ(c.quadratic_damping, 6);
   EXPECT_EQ(c.friction, 7);
+  EXPECT_EQ(c.armature, 9);
   EXPECT_EQ(c.target, 0.2);
   EXPECT_EQ(c.target_amplitude, 0.3);
   EXPECT_EQ(c.target_frequency, 8);

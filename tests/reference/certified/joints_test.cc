@@ -163,6 +163,35 @@ TEST(CertifiedJoints, UniversalJointTurnsAboutItsTwoAxes) {
   EXPECT_NEAR(angle(scene, t, core::Ordinal::second).rate, second * std::cos(w * t), 1e-13);
 }
 
+// A slider and a hinge with a rotor:  (m + A) x'' = F,  (J + A) a'' = T  where the centre is on the axis.
+TEST(CertifiedJoints, RotorsAddTheirInertia) {
+  constexpr double rotor = 0.9, t = 1.1;
+  core::Joint slider = joint_of(JointType::slider), hinge = joint_of(JointType::hinge);
+  slider.displacements.push_back({{.force = 3, .armature = rotor}});
+  hinge.angles.push_back({{.force = 0.6, .armature = rotor}});
+  EXPECT_NEAR(displacement(body_on(slider), t).q,
+              (3 - mass * gravity * axis.y()) / (mass + rotor) * t * t / 2, 1e-13);
+  const core::Scene turning = body_on(hinge, Vector3(0.2 * axis));
+  const Vector3 body_axis = turning.bodies[0].initial.orientation.conjugate() * axis;
+  const double moment = body_axis.dot(turning.bodies[0].inertia * body_axis);
+  EXPECT_NEAR(angle(turning, t).q, 0.6 / (moment + rotor) * t * t / 2, 1e-13);
+}
+
+// A universal joint whose angles have rotors, about a body with three equal moments: each angle moves by itself, and the
+// second carries the first's bearing, not its rotor.
+TEST(CertifiedJoints, RotorsOfAUniversalJointTurnWithTheirOwnAngles) {
+  constexpr double moment = 0.4, k = 3.7, second = -0.8, t = 1.4, rotor = 0.25;
+  core::Joint joint = joint_of(JointType::universal);
+  joint.angles.push_back({{.which = core::Ordinal::first, .armature = 0.7}});
+  joint.angles.push_back({{.which = core::Ordinal::second, .stiffness = k, .armature = rotor}});
+  core::Scene scene = body_on(joint, Vector3::Zero());
+  scene.bodies[0].inertia = moment * core::Matrix3::Identity();
+  scene.bodies[0].initial.angular_velocity = 1.3 * axis + second * axis_2;
+  const double w = std::sqrt(k / (moment + rotor));
+  EXPECT_NEAR(angle(scene, t).q, 1.3 * t, 1e-13);
+  EXPECT_NEAR(angle(scene, t, core::Ordinal::second).q, second / w * std::sin(w * t), 1e-13);
+}
+
 // Two hinges and a universal joint between them hold more than is free.
 TEST(CertifiedJoints, RedundantJointsAreRefused) {
   core::Scene scene = body_on(joint_of(JointType::hinge));
