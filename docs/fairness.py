@@ -190,9 +190,12 @@ def count(scenes):
 
 
 def values(settings, name):
-    """What a row's runs have a setting at: the values, the commonest first."""
-    found = settings.get(name, {})
-    return ", ".join(sorted(found, key=lambda v: -len(found[v]))) or "default"
+    """What a row's runs have a setting at: the values, the commonest first; where a run sets none, the engine's default."""
+    found = dict(settings.get(name, {}))
+    untouched = {s for values_ in settings.values() for scenes in values_.values() for s in scenes} - set().union(*found.values())
+    if untouched:
+        found["default"] = untouched
+    return ", ".join(sorted(found, key=lambda v: -len(found[v])))
 
 
 def table(head, rows):
