@@ -13,6 +13,10 @@ struct Axis {
   Vector3 normal;  ///< n: unit, from b to a.
   Kind kind = Kind::none;
   int a = -1, b = -1;  ///< The face, or the edges, that it belongs to.
+  /// Of a face: the middle of what of the other core is deepest over it, or the deepest vertex where rounding leaves
+  /// nothing over it: then not `reached`.
+  Vector3 deepest;
+  bool reached = false;
 };
 
 /// The axis of greatest gap among the normals of the faces of the difference a - b: faces of a, faces of b,
