@@ -38,15 +38,66 @@ const std::array<Out, polygon_corners>& polygon() {
   return corners;
 }
 
-// The polytope of a frustum, in storage that is used again.
+// Two a round.
+constexpr std::size_t most_facets = std::size_t{2} * Facetted::most_rounds,
+                      most_corners_of_round = polygon_corners + 2 * most_facets;
+
+// Hulls of prisms, pyramids and their frusta by the number of corners, kept: what bounds what depends on nothing else.
+class Prisms {
+ public:
+  struct Prism {
+    Shape shape = Hull();
+    bool low_disc = false, high_disc = false;
+
+    Hull& hull() { return std::get<Hull>(shape); }
+  };
+
+  Prism& of(int corners, bool low_disc, bool high_disc) {
+    Prism& prism = prisms_[index(corners)];
+    if (!prism.hull().faces.empty() && prism.low_disc == low_disc && prism.high_disc == high_disc)
+      return prism;
+    prism.low_disc = low_disc, prism.high_disc = high_disc;
+    join(prism.hull(), corners, low_disc, high_disc);
+    return prism;
+  }
+
+ private:
+  // Low corners, then high ones.  Sides first, counter-clockwise from outside: up at k, back down at k + 1.
+  static void join(Hull& h, int n, bool low_disc, bool high_disc) {
+    const int lows = low_disc ? n : 1, highs = high_disc ? n : 1;
+    const auto low = [&](int k) { return low_disc ? k % n : 0; };
+    const auto high = [&](int k) { return lows + (high_disc ? k % n : 0); };
+    const int low_face = n, high_face = n + low_disc;
+    h = Hull();
+    h.vertices.resize(index(lows + highs));
+    h.faces.resize(index(n + low_disc + high_disc)), h.normals.resize(h.faces.size());
+    for (int k = 0; k < n; ++k) {
+      std::vector<int>& face = h.faces[index(k)];
+      face = {low(k), high(k)};
+      if (high_disc) face.push_back(high(k + 1));
+      if (low_disc) face.push_back(low(k + 1));
+      h.edges.push_back({low(k), high(k), k, (k + n - 1) % n});
+      if (low_disc) h.edges.push_back({low(k), low(k + 1), low_face, k});
+      if (high_disc) h.edges.push_back({high(k), high(k + 1), k, high_face});
+    }
+    for (int k = 0; k < n && low_disc; ++k) h.faces[index(low_face)].push_back(low(k));
+    for (int k = 0; k < n && high_disc; ++k) h.faces[index(high_face)].push_back(high(n - 1 - k));
+    if (low_disc) h.normals[index(low_face)] = -Vector3::UnitY();
+    if (high_disc) h.normals[index(high_face)] = Vector3::UnitY();
+  }
+
+  std::array<Prism, most_corners_of_round + 1> prisms_;
+};
+
+// The polytope of a frustum.
 class Round {
  public:
-  Round(const Frustum& frustum, Shape& storage) : frustum_(frustum) {
-    if (!std::holds_alternative<Hull>(storage)) storage = Hull();
-    hull_ = &std::get<Hull>(storage);
+  Round(const Frustum& frustum, Prisms& prisms) : frustum_(frustum), prisms_(prisms) {
     begin_at(0);
     fill();
   }
+
+  const Shape& shape() const { return *shape_; }
 
   // Facets towards a normal, and towards a point beside the surface (own axes); whether any is new.
   bool look(const Vector3& normal, const Vector3& point) {
@@ -86,14 +137,20 @@ class Round {
   };
 
   void begin_at(Real angle) {
-    count_ = polygon_corners;
+    const auto at = [&](int k) {
+      const Real a = angle + 2 * pi * static_cast<Real>(k) / polygon_corners;
+      return a > pi ? a - 2 * pi : a;
+    };
+    int lowest = 0;
+    for (int k = 1; k < polygon_corners; ++k)
+      if (turned(at(k)) < turned(at(lowest))) lowest = k;
     const Out first = out_at(angle);
-    for (int k = 0; k < polygon_corners; ++k) {
-      const Real at = angle + 2 * pi * static_cast<Real>(k) / polygon_corners;
+    count_ = polygon_corners;
+    for (int i = 0; i < polygon_corners; ++i) {
+      const int k = (lowest + i) % polygon_corners;
       const Out& turn = polygon()[index(k)];
-      corners_[index(k)] = {at > pi ? at - 2 * pi : at,
-                            {first.x * turn.x - first.z * turn.z, first.x * turn.z + first.z * turn.x},
-                            0};
+      corners_[index(i)] = {
+          at(k), {first.x * turn.x - first.z * turn.z, first.x * turn.z + first.z * turn.x}, 0};
     }
   }
 
@@ -103,7 +160,7 @@ class Round {
     for (int k = 0; k < facets_; ++k)
       nearest = std::min(nearest, angle_between(angle, found_[index(k)].angle));
     if (nearest < half_facet / 2) return false;
-    if (facets_ == static_cast<int>(found_.size())) return false;  // two a round: there is room for all
+    if (facets_ == static_cast<int>(found_.size())) return false;  // there is room for all
     moved_ = std::max(moved_, nearest);
     int kept = 0;
     for (int k = 0; k < count_; ++k) {
@@ -115,52 +172,35 @@ class Round {
     const Out out = out_at(angle);
     found_[index(facets_++)] = {angle, out};
     for (const Real side : {-half_facet, half_facet})
-      corners_[index(count_++)] = {angle + side, {out.x - side * out.z, out.z + side * out.x}, facets_};
+      insert({angle + side, {out.x - side * out.z, out.z + side * out.x}, facets_});
     return true;
   }
 
   static Real turned(Real angle) { return angle < 0 ? angle + 2 * pi : angle; }
 
+  void insert(const Corner& corner) {
+    int k = count_++;
+    for (; k > 0 && turned(corner.angle) < turned(corners_[index(k - 1)].angle); --k)
+      corners_[index(k)] = corners_[index(k - 1)];
+    corners_[index(k)] = corner;
+  }
+
   void fill() {
-    std::sort(corners_.begin(), corners_.begin() + count_,
-              [](const Corner& a, const Corner& b) { return turned(a.angle) < turned(b.angle); });
     const int n = count_;
     const bool low_disc = frustum_.low_radius > 0, high_disc = frustum_.high_radius > 0;
-    const int lows = low_disc ? n : 1, highs = high_disc ? n : 1;
-    const auto low = [&](int k) { return low_disc ? k % n : 0; };
-    const auto high = [&](int k) { return lows + (high_disc ? k % n : 0); };
-    Hull& h = *hull_;
-    h.vertices.resize(index(lows + highs));
+    Prisms::Prism& prism = prisms_.of(n, low_disc, high_disc);
+    shape_ = &prism.shape;
+    Hull& h = prism.hull();
+    const int lows = low_disc ? n : 1;
+    const Real height = frustum_.high - frustum_.low;
     for (int k = 0; k < n; ++k) {
       const Corner& corner = corners_[index(k)];
       const Vector3 out(corner.out.x, 0, corner.out.z);
-      h.vertices[index(low(k))] = frustum_.low_radius * out + frustum_.low * Vector3::UnitY();
-      h.vertices[index(high(k))] = frustum_.high_radius * out + frustum_.high * Vector3::UnitY();
+      h.vertices[index(low_disc ? k : 0)] = frustum_.low_radius * out + frustum_.low * Vector3::UnitY();
+      h.vertices[index(lows + (high_disc ? k : 0))] =
+          frustum_.high_radius * out + frustum_.high * Vector3::UnitY();
+      h.normals[index(k)] = side_normal(corner, corners_[index(k + 1 < n ? k + 1 : 0)], height);
     }
-    // Sides first, counter-clockwise from outside: up at k, back down at k + 1.
-    h.faces.resize(index(n + low_disc + high_disc)), h.normals.resize(h.faces.size());
-    h.edges.clear();
-    const int low_face = n, high_face = n + low_disc;
-    const Real height = frustum_.high - frustum_.low;
-    for (int k = 0; k < n; ++k) {
-      std::vector<int>& face = h.faces[index(k)];
-      face.clear();
-      face.push_back(low(k)), face.push_back(high(k));
-      if (high_disc) face.push_back(high(k + 1));
-      if (low_disc) face.push_back(low(k + 1));
-      h.normals[index(k)] = side_normal(corners_[index(k)], corners_[index((k + 1) % n)], height);
-      h.edges.push_back({low(k), high(k), k, (k + n - 1) % n});
-      if (low_disc) h.edges.push_back({low(k), low(k + 1), low_face, k});
-      if (high_disc) h.edges.push_back({high(k), high(k + 1), k, high_face});
-    }
-    const auto disc = [&](int face_index, bool up) {
-      std::vector<int>& face = h.faces[index(face_index)];
-      face.clear();
-      for (int k = 0; k < n; ++k) face.push_back(up ? high(n - 1 - k) : low(k));
-      h.normals[index(face_index)] = up ? Vector3::UnitY() : Vector3(-Vector3::UnitY());
-    };
-    if (low_disc) disc(low_face, false);
-    if (high_disc) disc(high_face, true);
   }
 
   Vector3 side_normal(const Corner& from, const Corner& to, Real height) const {
@@ -177,10 +217,11 @@ class Round {
   }
 
   const Frustum& frustum_;
-  Hull* hull_ = nullptr;
-  std::array<Corner, std::size_t{polygon_corners} + std::size_t{4} * Facetted::most_rounds> corners_;
+  Prisms& prisms_;
+  const Shape* shape_ = nullptr;
+  std::array<Corner, most_corners_of_round> corners_;  // ascending, from 0
   int count_ = 0;
-  std::array<Facet, std::size_t{2} * Facetted::most_rounds> found_{};
+  std::array<Facet, most_facets> found_{};
   int facets_ = 0;
   Real moved_ = 0;  // in the last look(), from the nearest facet there was
 };
@@ -189,12 +230,12 @@ class Round {
 
 Facetted::Facetted(const Shape& body, const Pose& pose, const Shape& other, const Pose& other_pose, Real far)
     : shapes_{&body, &other} {
-  thread_local std::array<Shape, 2> storage;
+  thread_local std::array<Prisms, 2> storage;
   std::optional<Round> a, b;
   if (const auto* frustum = std::get_if<Frustum>(&body))
-    a.emplace(*frustum, storage[0]), shapes_[0] = &storage[0];
+    a.emplace(*frustum, storage[0]), shapes_[0] = &a->shape();
   if (const auto* frustum = std::get_if<Frustum>(&other))
-    b.emplace(*frustum, storage[1]), shapes_[1] = &storage[1];
+    b.emplace(*frustum, storage[1]), shapes_[1] = &b->shape();
   if (!a && !b) return;
   for (const auto* round : {&a, &b})
     if (*round) same_ = std::max(same_, 4 * (*round)->width()), far += (*round)->sagitta();
@@ -207,6 +248,8 @@ Facetted::Facetted(const Shape& body, const Pose& pose, const Shape& other, cons
     bool any = a && a->look(-t.normal, t.b);
     if (b) any |= b->look(couple.turn.transpose() * t.normal, couple.turn.transpose() * (t.a - couple.shift));
     if (!any) return;
+    if (a) shapes_[0] = &a->shape();
+    if (b) shapes_[1] = &b->shape();
   }
   touch_.reset();  // there is a facet more
   for (const auto* round : {&a, &b})
