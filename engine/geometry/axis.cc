@@ -152,16 +152,18 @@ bool within(const Bounds& box, const Placed& e, Real reach) {
 // so no more than the greater of the faces' heights over x where that is negative.
 template <class Use>
 void edges_over(const Core& core, const Vector3& x, Real gap, Use&& use) {
-  thread_local std::vector<Real> heights;
-  heights.clear();
-  for (int i = 0; i < core.face_count; ++i)
-    heights.push_back(core.normals[i].dot(x - core.vertices[core.faces[i][0]]));
-  for (int i = 0; i < core.edge_count; ++i) {
+  thread_local std::vector<char> is_higher;
+  is_higher.clear();
+  bool any =
+      core.face_count <= 2;  // a triangle's two faces are opposite to each other, and a segment has none
+  for (int i = 0; i < core.face_count; ++i) {
+    is_higher.push_back(core.face_count <= 2 ||
+                        core.normals[i].dot(x - core.vertices[core.faces[i][0]]) > gap);
+    any |= is_higher.back() != 0;
+  }
+  for (int i = 0; any && i < core.edge_count; ++i) {
     const Edge& e = core.edges[i];
-    if (e[2] >= 0 && heights[index(e[2])] <= gap && heights[index(e[3])] <= gap &&
-        core.normals[e[2]].dot(core.normals[e[3]]) > Real(-0.99))  // not of the two sides of a triangle
-      continue;
-    use(i, e);
+    if (e[2] < 0 || is_higher[index(e[2])] != 0 || is_higher[index(e[3])] != 0) use(i, e);
   }
 }
 
@@ -217,6 +219,21 @@ Axis widest_axis(const Couple& couple, Real reach) {
   ask_faces(couple, best);
   if (best.kind != Axis::Kind::none) best.deepest = deepest_over(couple, best, best.reached);
   if (couple.a.edge_count > 0 && couple.b.edge_count > 0) ask_edges(couple, reach, best);
+  return best;
+}
+
+std::optional<Axis> axis_of_overlap(const Couple& couple) {
+  const Real sure = -16 * epsilon * couple.size;
+  Axis best;
+  ask_faces(couple, best);
+  if (best.kind == Axis::Kind::none || !(best.gap < sure)) return {};
+  best.deepest = deepest_over(couple, best, best.reached);
+  const bool on_a = best.kind == Axis::Kind::face_a;
+  const Core& core = on_a ? couple.a : couple.b;
+  const Vector3 x = on_a ? best.deepest : Vector3(couple.turn.transpose() * (best.deepest - couple.shift));
+  for (int i = 0; i < core.face_count; ++i)
+    if (!(core.normals[i].dot(x - core.vertices[core.faces[i][0]]) < sure)) return {};
+  if (couple.a.edge_count > 0 && couple.b.edge_count > 0) ask_edges(couple, 0, best);
   return best;
 }
 

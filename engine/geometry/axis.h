@@ -3,6 +3,8 @@
 
 #include "engine/geometry/core.h"
 
+#include <optional>
+
 namespace cylon::engine {
 
 /// A plane between two cores, in a's axes.
@@ -25,7 +27,10 @@ struct Axis {
 /// found good after all vertices of both were asked (seed eq. 103 asks one, errata 35), so an ill-conditioned
 /// edge pair never makes a gap too large.  Faces win ties, to rounding.
 /// `reach` [m]: at least the distance where the two may be apart; edges farther than it are left out.
-/// D. Gregorius, The Separating Axis Test between Convex Polyhedra, GDC 2013.
 Axis widest_axis(const Couple&, Real reach);
+
+/// The same of two that overlap beyond rounding, where that is sure without nearest(): where what is deepest over the best
+/// face is inside the other core.
+std::optional<Axis> axis_of_overlap(const Couple&);
 
 }  // namespace cylon::engine

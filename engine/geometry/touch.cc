@@ -54,6 +54,14 @@ Touch from_axis(const Couple& couple, const Axis& axis) {
   return result;
 }
 
+// Of two without a rounding radius, which are mostly apart where they have one: no plane across the line between the
+// reference points is between them.
+bool may_overlap(const Couple& couple) {
+  if (couple.a.radius + couple.b.radius > 0) return false;
+  const Vector3& d = couple.shift;
+  return d.dot(couple.vertex_a(couple.support_a(d)) - couple.vertex_b(couple.support_b(-d))) > 0;
+}
+
 }  // namespace
 
 // Apart by more than the square root of rounding, nearest() has the normal to that square root at worst (a
@@ -62,10 +70,12 @@ Touch from_axis(const Couple& couple, const Axis& axis) {
 // like needles, of nearly parallel edges, can stop it early.  An axis is a lower bound; where points of both
 // shapes are that far apart along it, it is the distance.  Where none are (corners and edges against
 // corners), it is nearest()'s.
-Touch touch(const Couple& couple, Real far) {
-  const Nearest apart = nearest(couple, far);
-  if (apart.is_far) return {apart.distance, apart.normal, apart.a, apart.b};
+Touch touch(const Couple& couple, Real far, const Touch* before) {
   const Real rounding = epsilon * couple.size;
+  if (before != nullptr ? before->gap < 0 : may_overlap(couple))
+    if (const std::optional<Axis> axis = axis_of_overlap(couple)) return from_axis(couple, *axis);
+  const Nearest apart = nearest(couple, far, before != nullptr ? -before->normal : couple.shift);
+  if (apart.is_far) return {apart.distance, apart.normal, apart.a, apart.b};
   const bool close = !(apart.distance > near * couple.size);
   if (close || couple.between(apart.normal) < apart.distance - 8 * rounding) {
     const Axis axis = widest_axis(couple, apart.distance + 16 * rounding);
