@@ -252,7 +252,7 @@ std::vector<Bad> bad() {
        "bad.toml:8:13: tolerance needs 'reason'"},
       {"empty_reason", ball + claim + "tolerance = { absolute = 1, reason = \"\" }\n", "reason is empty"},
       {"no_bound", ball + claim + "tolerance = { reason = \"r\" }\n",
-       "needs 'absolute', 'relative', or 'order'"},
+       "needs 'absolute', 'relative', 'roundings', or 'order' with 'constant'"},
       {"order_alone", ball + claim + "tolerance = { order = true, reason = \"r\" }\n",
        "order = true and constant belong together"},
       {"roundings_order",
