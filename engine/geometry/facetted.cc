@@ -42,9 +42,10 @@ Out operator*(const Out& a, const Out& b) {
 }
 
 // Corners and the middles of sides: k pi/polygon_corners.
-const std::array<Out, 2 * polygon_corners>& polygon() {
-  static const std::array<Out, 2 * polygon_corners> made = [] {
-    std::array<Out, 2 * polygon_corners> all;
+using Polygon = std::array<Out, std::size_t{2} * polygon_corners>;
+const Polygon& polygon() {
+  static const Polygon made = [] {
+    Polygon all;
     for (int k = 0; k < 2 * polygon_corners; ++k)
       all[index(k)] = out_at(pi * static_cast<Real>(k) / polygon_corners);
     return all;
