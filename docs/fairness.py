@@ -37,6 +37,8 @@ SETTINGS = {
             ("margin", "margin=0.04", "setMargin", COLLISION + "CollisionShapes/btCollisionMargin.h:22"),
             ("restitution-threshold", "restitution-threshold=0.2", "m_restitutionVelocityThreshold", INFO + ":108"),
             ("contact-threshold", "contact-threshold=1e18", "contactProcessingThreshold", COLLISION + "CollisionDispatch/btCollisionObject.h:188"),
+            ("stop-erp", "stop-erp=0.2", "m_stopERP", DYNAMICS + "ConstraintSolver/btGeneric6DofSpring2Constraint.h:76"),
+            ("stops-ahead", "stops-ahead=off", "stops by btGeneric6DofSpring2Constraint", DYNAMICS + "ConstraintSolver/btGeneric6DofSpring2Constraint.h:312"),
             ("erp2", "erp2=0.2", "m_erp2", INFO + ":87"),
             ("split-threshold", "split-threshold=-0.04", "m_splitImpulsePenetrationThreshold", INFO + ":96"),
             ("ccd", "ccd=0.9", "setCcdSweptSphereRadius, setCcdMotionThreshold", COLLISION + "CollisionDispatch/btCollisionObject.h:506"),
@@ -188,9 +190,12 @@ def count(scenes):
 
 
 def values(settings, name):
-    """What a row's runs have a setting at: the values, the commonest first."""
-    found = settings.get(name, {})
-    return ", ".join(sorted(found, key=lambda v: -len(found[v]))) or "default"
+    """What a row's runs have a setting at: the values, the commonest first; where a run sets none, the engine's default."""
+    found = dict(settings.get(name, {}))
+    untouched = {s for values_ in settings.values() for scenes in values_.values() for s in scenes} - set().union(*found.values())
+    if untouched:
+        found["default"] = untouched
+    return ", ".join(sorted(found, key=lambda v: -len(found[v])))
 
 
 def table(head, rows):
@@ -214,7 +219,7 @@ def row_blocks(engine, worst):
             [f"Better ({len(better)}): {', '.join(better) or 'none'}.", "",
              f"Worse ({len(worse)}): {', '.join(worse) or 'none'}."])
     _, beaten = change(worst[f"{engine}/path=as-shipped"], worst[f"{engine}/path=as-expert"])
-    blocks[f"{engine}-as-expert"] += (f"\n\nWorse than the engine as shipped ({len(beaten)}), where our rule can still learn: "
+    blocks[f"{engine}-as-expert"] += (f"\n\nWorse than the engine as shipped ({len(beaten)}): "
                                       f"{', '.join(beaten) or 'none'}.")
     return blocks
 

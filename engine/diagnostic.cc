@@ -142,9 +142,9 @@ const std::array<DiagnosticRow, static_cast<std::size_t>(DiagnosticKind::count)>
      "from t = "
      "{since} s on: what still approached met in the next part, as a contact"},
     {K::facets_unsettled, "facets-unsettled", "rounds", "m",
-     "at {count} contacts of round bodies, from t = {since} s on, the place of the touch still moved after "
+     "at {count} contacts of round bodies, from t = {since} s on, the place of the touch was not found in "
      "{limit} "
-     "rounds: its gap is off by about {reached} m"},
+     "rounds: its gap is off by at most {reached} m"},
     {K::points_left_out, "points-left-out", "points", "",
      "{count} contacts, from t = {since} s on, had more than {limit} points, of which the deepest and the "
      "outermost "

@@ -3,6 +3,8 @@
 
 #include "engine/geometry/core.h"
 
+#include <optional>
+
 namespace cylon::engine {
 
 /// A plane between two cores, in a's axes.
@@ -13,6 +15,10 @@ struct Axis {
   Vector3 normal;  ///< n: unit, from b to a.
   Kind kind = Kind::none;
   int a = -1, b = -1;  ///< The face, or the edges, that it belongs to.
+  /// Of a face: the middle of what of the other core is deepest over it, or the deepest vertex where rounding leaves
+  /// nothing over it: then not `reached`.
+  Vector3 deepest;
+  bool reached = false;
 };
 
 /// The axis of greatest gap among the normals of the faces of the difference a - b: faces of a, faces of b,
@@ -23,5 +29,9 @@ struct Axis {
 /// `reach` [m]: at least the distance where the two may be apart; edges farther than it are left out.
 /// D. Gregorius, The Separating Axis Test between Convex Polyhedra, GDC 2013.
 Axis widest_axis(const Couple&, Real reach);
+
+/// The same of two that overlap beyond rounding, where that is sure without nearest(): where what is deepest over the best
+/// face is inside the other core.
+std::optional<Axis> axis_of_overlap(const Couple&);
 
 }  // namespace cylon::engine

@@ -168,6 +168,7 @@ Manifold round_polytopes(const Shape& body, const Pose& pose, const Shape& other
   const auto *a = std::get_if<Frustum>(&body), *b = std::get_if<Frustum>(&other);
   const bool on_body = b == nullptr || (a != nullptr && bounding_radius(body) <= bounding_radius(other));
   const Facetted facetted(body, pose, other, other_pose, margin);
+  if (facetted.is_far()) return no_manifold();
   Manifold result =
       polytopes(facetted.body(), pose, facetted.other(), other_pose, margin,
                 {on_body ? pose : other_pose, on_body ? a : b, on_body, facetted.same()}, facetted.touch());

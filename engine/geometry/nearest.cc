@@ -103,7 +103,7 @@ Simplex tetrahedron(const std::array<Vertex, 4>& x, Real size) {
 
 }  // namespace
 
-Nearest nearest(const Couple& couple, Real far) {
+Nearest nearest(const Couple& couple, Real far, const Vector3& start) {
   const auto vertex = [&](const Vector3& direction) {
     Vertex x;
     x.a = couple.support_a(direction), x.b = couple.support_b(-direction);
@@ -111,7 +111,7 @@ Nearest nearest(const Couple& couple, Real far) {
     return x;
   };
 
-  Simplex s = point(vertex(couple.shift));
+  Simplex s = point(vertex(start));
   const Real rounding = 4 * epsilon * couple.size;
   bool is_far = false;
   // Each step takes a simplex nearer than the last, so none comes twice and the steps end by themselves; where that takes

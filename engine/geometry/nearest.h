@@ -3,8 +3,6 @@
 
 #include "engine/geometry/core.h"
 
-#include <limits>
-
 namespace cylon::engine {
 
 /// In a's axes.
@@ -19,7 +17,8 @@ struct Nearest {
 /// the difference a - b nearest to the origin, from simplices of its vertices, each nearer than the last.
 /// It goes on until rounding stops it, not until some tolerance: the last simplex is then the pair of nearest
 /// features, and normal and distance follow from it to rounding.  Where a plane is found on the way that has more than
-/// `far` [m] between the two, it ends there: the distance is then an upper bound.
-Nearest nearest(const Couple&, Real far = std::numeric_limits<Real>::infinity());
+/// `far` [m] between the two, it ends there: the distance is then an upper bound.  It begins with the farthest vertex of a
+/// along `start`, and of b against it.
+Nearest nearest(const Couple&, Real far, const Vector3& start);
 
 }  // namespace cylon::engine

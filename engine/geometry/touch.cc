@@ -1,6 +1,5 @@
 #include "engine/geometry/touch.h"
 
-#include "engine/geometry/clip.h"
 #include "engine/geometry/nearest.h"
 #include "engine/geometry/segments.h"
 
@@ -12,29 +11,6 @@ namespace cylon::engine {
 namespace {
 
 constexpr Real near = epsilon < Real(1e-10) ? Real(1.5e-8) : Real(3.5e-4);  // sqrt(epsilon)
-
-// The middle of the deepest corners of what lies over the face; the deepest vertex itself where rounding
-// leaves nothing over it.
-Vector3 deepest_over(const Couple& couple, const Axis& axis, bool& reached) {
-  const bool on_a = axis.kind == Axis::Kind::face_a;
-  Patch patch;
-  clip(couple, on_a, on_a ? axis.a : axis.b, patch);
-  Real least = std::numeric_limits<Real>::infinity();
-  for (int k = 0; k < patch.count; ++k)
-    least = std::min(least, patch.corners[static_cast<std::size_t>(k)].gap);
-  const Real same = 64 * epsilon * couple.size;
-  reached = least <= axis.gap + same;
-  if (!reached)
-    return on_a ? couple.vertex_b(couple.support_b(axis.normal))
-                : couple.vertex_a(couple.support_a(-axis.normal));
-  Vector3 sum = Vector3::Zero();
-  int count = 0;
-  for (int k = 0; k < patch.count; ++k) {
-    const Corner& corner = patch.corners[static_cast<std::size_t>(k)];
-    if (corner.gap <= least + same) sum += corner.x, ++count;
-  }
-  return sum / static_cast<Real>(count);
-}
 
 void place_on_edges(const Couple& couple, int edge_a, int edge_b, Touch& result) {
   const Edge &e = couple.a.edges[edge_a], &f = couple.b.edges[edge_b];
@@ -66,16 +42,24 @@ void ask_all_edges(const Couple& couple, Touch& known) {
 Touch from_axis(const Couple& couple, const Axis& axis) {
   Touch result{axis.gap, axis.normal, Vector3::Zero(), Vector3::Zero(), axis.kind, axis.a, axis.b};
   if (axis.kind == Axis::Kind::face_a) {
-    result.b = deepest_over(couple, axis, result.reached);
+    result.b = axis.deepest, result.reached = axis.reached;
     result.a = result.b + axis.gap * axis.normal;
   } else if (axis.kind == Axis::Kind::face_b) {
-    result.a = deepest_over(couple, axis, result.reached);
+    result.a = axis.deepest, result.reached = axis.reached;
     result.b = result.a - axis.gap * axis.normal;
   } else {
     place_on_edges(couple, axis.a, axis.b, result);
     result.reached = (result.a - result.b).norm() <= std::abs(axis.gap) + 64 * epsilon * couple.size;
   }
   return result;
+}
+
+// Of two without a rounding radius, which are mostly apart where they have one: no plane across the line between the
+// reference points is between them.
+bool may_overlap(const Couple& couple) {
+  if (couple.a.radius + couple.b.radius > 0) return false;
+  const Vector3& d = couple.shift;
+  return d.dot(couple.vertex_a(couple.support_a(d)) - couple.vertex_b(couple.support_b(-d))) > 0;
 }
 
 }  // namespace
@@ -86,10 +70,12 @@ Touch from_axis(const Couple& couple, const Axis& axis) {
 // like needles, of nearly parallel edges, can stop it early.  An axis is a lower bound; where points of both
 // shapes are that far apart along it, it is the distance.  Where none are (corners and edges against
 // corners), it is nearest()'s.
-Touch touch(const Couple& couple, Real far) {
-  const Nearest apart = nearest(couple, far);
-  if (apart.is_far) return {apart.distance, apart.normal, apart.a, apart.b};
+Touch touch(const Couple& couple, Real far, const Touch* before) {
   const Real rounding = epsilon * couple.size;
+  if (before != nullptr ? before->gap < 0 : may_overlap(couple))
+    if (const std::optional<Axis> axis = axis_of_overlap(couple)) return from_axis(couple, *axis);
+  const Nearest apart = nearest(couple, far, before != nullptr ? -before->normal : couple.shift);
+  if (apart.is_far) return {apart.distance, apart.normal, apart.a, apart.b};
   const bool close = !(apart.distance > near * couple.size);
   if (close || couple.between(apart.normal) < apart.distance - 8 * rounding) {
     const Axis axis = widest_axis(couple, apart.distance + 16 * rounding);

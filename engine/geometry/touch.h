@@ -18,7 +18,8 @@ struct Touch {
   bool reached = false;                ///< By an axis, and points of both are `gap` apart along it.
 };
 
-/// If the two are farther apart than `far` [m], the gap may be any upper bound of theirs, with a normal to it.
-Touch touch(const Couple&, Real far = std::numeric_limits<Real>::infinity());
+/// If the two are farther apart than `far` [m], the gap may be any upper bound of theirs, with a normal to it.  `before`:
+/// a touch of two that were nearly the same and lay nearly alike; it saves work alone.
+Touch touch(const Couple&, Real far = std::numeric_limits<Real>::infinity(), const Touch* before = nullptr);
 
 }  // namespace cylon::engine

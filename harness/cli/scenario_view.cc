@@ -23,6 +23,8 @@ Json scenario_facts(const scenario::Scenario& scenario) {
                       {"absolute", claim.tolerance.absolute},
                       {"relative", claim.tolerance.relative},
                       {"level", claim.tolerance.level},
+                      {"roundings", claim.tolerance.roundings},
+                      {"size", claim.tolerance.size},
                       {"tolerance_reason", claim.tolerance.reason}});
   return {{"name", scenario.name},       {"title", scenario.title},
           {"story", scenario.story},     {"tags", scenario.tags},

@@ -16,8 +16,9 @@
 
 namespace cylon::core {
 
-/// allowed = absolute + relative S, with S the claim's scale (scale.h); or, where `order` is set, the bound
-/// of theory C_p dt^p T plus rounding, with p the order that the simulator declares, the observed order
+/// allowed = absolute + relative S + roundings eps R, with S the claim's scale (scale.h), eps of the engine's
+/// precision, and R the size of what is rounded: `size`, or the largest value of the observable, or 1 rad; or,
+/// where `order` is set, the bound of theory C_p dt^p T plus rounding, with p the order that the simulator declares, the observed order
 /// being checked as well.
 ///
 /// An integrator of order p is held to the constant of the highest order q <= p that has one: C_q dt^q T, and
@@ -34,6 +35,8 @@ struct Tolerance {
   std::string reason;
   std::map<int, double> constants = {};  ///< By order [unit / s^(p+1)].
   double level = 0;                      ///< The part of right engines that fail; 0: no test of chance.
+  double roundings = 0;                  ///< How many, all of one sign.
+  double size = 0;                       ///< Of what is rounded, in the observable's unit; 0: see above.
 };
 
 /// How a recording becomes one number.

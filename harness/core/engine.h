@@ -60,6 +60,12 @@ struct Engine {
   }
 };
 
+/// From 1 to the next number of that precision.
+constexpr double epsilon_of_double = 0x1p-52, epsilon_of_float = 0x1p-23;
+inline double epsilon(const Engine& engine) {
+  return engine.precision == "float" ? epsilon_of_float : epsilon_of_double;
+}
+
 /// What a run asks of a simulator.
 struct Setup {
   double dt = 0;                               ///< Step; of an adaptive integrator the sample grid [s], > 0.

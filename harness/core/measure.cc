@@ -161,8 +161,8 @@ bool chose_its_steps(const Recording& recording) {
 
 // What rounding alone makes of n steps: 64 eps sqrt(n) S.
 double rounding(const Recording& recording, double size, double horizon) {
-  const double epsilon = recording.engine.precision == "float" ? 0x1p-23 : 0x1p-52;
-  return 64 * epsilon * std::sqrt(std::max(1.0, horizon / recording.dt)) * (size > 0 ? size : 1);
+  return 64 * epsilon(recording.engine) * std::sqrt(std::max(1.0, horizon / recording.dt)) *
+         (size > 0 ? size : 1);
 }
 
 // Of the runs at dt, dt/2, dt/4: value, bound C_p dt^p T + rounding, and the order itself, which must not
@@ -302,11 +302,16 @@ int runs_needed(const Claim& claim) {
   return claim.tolerance.order || claim.reduction == Reduction::order ? 3 : 1;
 }
 
-double allowed(const Claim& claim, const Scene& scene, double duration) {
+double allowed(const Claim& claim, const Scene& scene, double duration, double epsilon) {
   const Tolerance& tolerance = claim.tolerance;
   if (tolerance.level > 0) return allowed_share(claim.observable, scene, tolerance.level);
-  return tolerance.absolute +
-         (tolerance.relative > 0 ? tolerance.relative * scale(claim, scene, duration) : 0);
+  double result = tolerance.absolute;
+  if (tolerance.relative > 0) result += tolerance.relative * scale(claim, scene, duration);
+  if (tolerance.roundings > 0) {
+    const double size = tolerance.size > 0 ? tolerance.size : largest_value(claim, scene, duration);
+    result += tolerance.roundings * epsilon * (size > 0 ? size : 1);
+  }
+  return result;
 }
 
 double widest(const Claim& claim, const Scene& scene, double duration) {
@@ -325,7 +330,7 @@ Reading read(const Claim& claim, const Scene& scene, const Recording& recording,
   Reading result;
   if (claim.observable.quantity != Quantity::event) result.series = deviation(claim, scene, recording);
   if (runs_needed(claim) > 1) result.largest = largest_value(claim, scene, duration);
-  result.allowed = allowed(claim, scene, duration);
+  result.allowed = allowed(claim, scene, duration, epsilon(recording.engine));
   return result;
 }
 

@@ -33,11 +33,12 @@ double observed_order(std::span<const double> dt, std::span<const double> error)
 struct Reading {
   Series series;       ///< Empty for events.
   double largest = 0;  ///< largest_value(), where an order needs it.
-  double allowed = 0;  ///< absolute + relative x scale; the bound that an order sets is not in it.
+  double allowed = 0;  ///< allowed() at the engine's precision; the bound that an order sets is not in it.
 };
 
-/// absolute + relative x scale, or what the level of a test of chance allows; not the bound that an order sets.
-double allowed(const Claim&, const Scene&, double duration);
+/// absolute + relative x scale + roundings x epsilon x size, or what the level of a test of chance allows; not
+/// the bound that an order sets.  `epsilon`: of the precision of whoever is judged (engine.h).
+double allowed(const Claim&, const Scene&, double duration, double epsilon);
 
 /// The largest bound that tells a motion from another: a tenth of the claim's scale [unit of the measured number]; of a mean of
 /// squares the square of that, and of a rate that over the time.  Infinite where the claim's bound is

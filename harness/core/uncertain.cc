@@ -123,7 +123,7 @@ std::string no_interval(const Claim& claim) {
   if (claim.reduction != Reduction::max && claim.reduction != Reduction::end)
     return fmt::format("measure: '{}' of a measured motion has no interval; valid: max, end",
                        name(claim.reduction));
-  if (claim.tolerance.order || claim.tolerance.relative > 0)
+  if (claim.tolerance.order || claim.tolerance.relative > 0 || claim.tolerance.roundings > 0)
     return "tolerance: that of a measured motion is absolute alone";
   return "";
 }

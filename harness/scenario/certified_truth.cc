@@ -47,9 +47,7 @@ double predictable(const Table& t, const core::Claim& claim, const core::Scene& 
     cut.until = time;
     core::Truth off = solution.truth;
     off.error = ulp->error;
-    const double allowed =
-        cut.tolerance.absolute +
-        (cut.tolerance.relative > 0 ? cut.tolerance.relative * core::scale(cut, scene, duration) : 0);
+    const double allowed = core::allowed(cut, scene, duration, core::epsilon_of_double);
     return core::truth_error(cut.observable, scene, off, time, time) <= allowed / 10;  // never of a last step
   };
   constexpr int times = 200;

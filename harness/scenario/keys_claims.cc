@@ -41,6 +41,13 @@ const Spec* tolerance_spec() {
                "Times the scale of the claim: the range of the required motion (docs/claims.md#scales). "
                "Added to `absolute`.",
                not_negative),
+          real("roundings", "",
+               "Times the epsilon of the engine's precision, 2^-52 or 2^-23, and times `size`: how many "
+               "roundings, all of "
+               "one sign. Added to `absolute` and `relative`.",
+               positive),
+          absent("the largest value of what is claimed, for angles 1 rad",
+                 real("size", "", "Of what is rounded, in the unit of the observable.", positive)),
           plain("order", boolean,
                 "The bound is C dt^p T, with p the integrator's order, which is checked too."),
           real("level", "", "Of `expects`: the part of right engines that may fail, 1e-6 or so.",
@@ -128,8 +135,8 @@ const Spec* claim_spec() {
           absent("time",
                  word("quantity", "Of the event: which of its numbers.", words(core::EventQuantity::count))),
           required(nested("tolerance", table, tolerance_spec,
-                          "How well it must hold, and why: `absolute`, `relative` or their sum, or `order`, "
-                          "or `level`."))}};
+                          "How well it must hold, and why: `absolute`, `relative`, `roundings` or their "
+                          "sum, or `order`, or `level`."))}};
   return &spec;
 }
 

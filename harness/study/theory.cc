@@ -32,8 +32,6 @@ constexpr double misjudged = 10;  // An estimate of an error may be too small by
 constexpr double roundings_a_step = 10;
 constexpr int finest = 2;  // halvings, to see an order
 
-double epsilon_of(const core::Engine& engine) { return engine.precision == "float" ? 0x1p-23 : 0x1p-52; }
-
 // In the quantities that err.
 double degree(const Claim& claim) {
   const core::Quantity q = claim.observable.quantity;
@@ -171,8 +169,8 @@ Bound bound_of(const Scenario& scenario, const Claim& claim, double step, const 
   const double largest = std::max({scale, core::largest_value(claim, scenario.scene, scenario.duration),
                                    rounding_of_state(claim, scenario.scene)});
   Bound bound;
-  bound.rounding =
-      roundings_a_step * epsilon_of(run.engine) * (scenario.duration / step) * largest * theory.magnification;
+  bound.rounding = roundings_a_step * core::epsilon(run.engine) * (scenario.duration / step) * largest *
+                   theory.magnification;
   const std::string of = fmt::format(
       "W = {:.4g}/s ({}), scale {:.4g}{}", theory.rate, theory.reason, scale,
       theory.magnification == 1 ? "" : fmt::format(", magnified {:.4g} times", theory.magnification));

@@ -51,8 +51,8 @@ inline constexpr Taken taken[] = {
     {"ode", 4, 24, 4},
     {"ode-quick", 4, 24, 4},  // neither planar joints nor screws
     {"mujoco", 5, 12, 4},     // no screws, and no coefficient of restitution
-    {"bullet", 5, 14, 4},  // no screws, no single stop of an angle, no slider that bounces between two bodies
-    {"bullet-float", 5, 14, 4},
+    {"bullet", 5, 16, 4},     // no screws, no single stop of an angle
+    {"bullet-float", 5, 16, 4},
     {"bullet-multibody", 3, 12,
      4},  // neither screws nor joints of two freedoms, and stops without restitution
     {"bullet-multibody-float", 3, 12, 4},

@@ -138,7 +138,7 @@ const std::vector<Provoked> provoked = {
     {K::solved_at_once, 0.6, [] { return said(struck_twice(), on("stepping", 0.01), 60); }},
     {K::solved_in_turn, 0.02, [] { return said(at_once(row_of_balls(3)), on("stepping", 0.01), 2); }},
     {K::approaching, 0.02, [] { return said(row_of_balls(100), on("stepping", 0.01), 2); }},
-    {K::facets_unsettled, 1, [] { return said(random_pile(0), forced(on("stepping", 0.01)), 100); }},
+    {K::facets_unsettled, 1, [] { return said(random_pile(8), forced(on("stepping", 0.01)), 100); }},
     {K::points_left_out, 0.02,
      [] {
        return said(prism(12, {0, Real(0.5), 0}), on("stepping", 0.01), 2);

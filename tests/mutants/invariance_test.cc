@@ -14,7 +14,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <string>
 
 namespace cylon::mutants {
 namespace {
@@ -91,6 +93,7 @@ Claim restated(const Claim& claim, const Description& d, const Vector3& up) {
   if (claim.reduction == core::Reduction::rate) reduced = unit / d.words.time;
   if (claim.reduction == core::Reduction::order) reduced = 1;
   result.tolerance.absolute *= reduced;
+  result.tolerance.size *= unit;
   result.tolerance.constant *= unit / std::pow(d.words.time, 2);
   for (auto& [order, constant] : result.tolerance.constants)
     constant *= unit / std::pow(d.words.time, order + 1);
@@ -236,10 +239,32 @@ TEST_P(Tolerances, AreAtMostATenthOfTheirScale) {
   const auto run = run_shipped(scenario, correct_subjects().front());
   for (Claim claim : scenario.claims) {
     if (claim.follows.empty() && !claim.motion && run) claim.motion = recorded(run->recording);
-    const double allowed = core::allowed(claim, scenario.scene, scenario.duration);
+    const double allowed = core::allowed(claim, scenario.scene, scenario.duration, core::epsilon_of_float);
     EXPECT_LE(allowed, core::widest(claim, scenario.scene, scenario.duration) * (1 + 1e-6)) << claim.label;
   }
 }
+// A bound below a rounding of single precision is a number of roundings, or of what no engine computes.
+TEST_P(Tolerances, OfRoundingFollowThePrecision) {
+  const std::map<std::string, std::string> nothing_rounds = {
+      {"dzhanibekov", "linear_momentum conserved"},  // 0, and nothing is added
+      {"free_symmetric_top", "linear_momentum conserved"},
+      {"locked_post", "position conserved, post"}};
+  const Scenario scenario = scenario::load(GetParam());
+  for (const Claim& claim : scenario.claims) {
+    const core::Tolerance& t = claim.tolerance;
+    if (t.order || t.level > 0 || core::validates(claim)) continue;
+    if (claim.observable.event_quantity == core::EventQuantity::count ||
+        claim.observable.event_quantity == core::EventQuantity::order)
+      continue;                                        // whole numbers
+    if (t.reason.starts_with("truncation")) continue;  // of the step
+    const auto known = nothing_rounds.find(scenario.name);
+    if (known != nothing_rounds.end() && known->second == claim.label) continue;
+    EXPECT_GT(core::allowed(claim, scenario.scene, scenario.duration, core::epsilon_of_float),
+              core::epsilon_of_float * core::scale(claim, scenario.scene, scenario.duration))
+        << claim.label;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Tolerances, testing::ValuesIn(shipped_scenarios()), name_of);
 
 }  // namespace

@@ -18,7 +18,7 @@ void warn_of_wide_bounds(const std::filesystem::path& file, const scenario::Scen
   for (const core::Claim& claim : scenario.claims) {
     const double widest = core::widest(claim, scenario.scene, scenario.duration);
     if (std::isinf(widest)) continue;
-    const double allowed = core::allowed(claim, scenario.scene, scenario.duration);
+    const double allowed = core::allowed(claim, scenario.scene, scenario.duration, core::epsilon_of_float);
     if (allowed > widest * (1 + 1e-6))
       std::cerr
           << plain_line(fmt::format(

@@ -164,7 +164,7 @@ class Run {
     for (std::size_t p = 0; p < scene_.planes.size(); ++p) add_plane(p, settings);
     add_bodies(settings);
     if (!settings.multibody)
-      for (const core::Joint& joint : scene_.joints) add_joint(joint, settings.whole_stops);
+      for (const core::Joint& joint : scene_.joints) add_joint(joint, settings.stops());
   }
 
   void step() {
@@ -218,19 +218,13 @@ class Run {
     if (joints_.size() < scene_.joints.size()) return std::nullopt;
     std::vector<core::Reaction> reactions;
     for (std::size_t j = 0; j < joints_.size(); ++j) {
-      if (!joints_[j]) continue;
-      const btTypedConstraint& joint = *joints_[j];
-      const btRigidBody &a = joint.getRigidBodyA(), &b = joint.getRigidBodyB();
-      if (!moves(a) && !moves(b)) continue;
-      const btJointFeedback& told = *joint.getJointFeedback();
-      const bool on_a =
-          !a.isStaticObject();  // some joints push the two at different points: of one that moves
-      const double sign =
-          on_a == (&a == bodies_[static_cast<std::size_t>(scene_.joints[j].body)]->rigid()) ? 1 : -1;
-      reactions.push_back(
-          {j, from_bullet((on_a ? a : b).getCenterOfMassPosition()),
-           sign * dt_ * from_bullet(on_a ? told.m_appliedForceBodyA : told.m_appliedForceBodyB),
-           sign * dt_ * from_bullet(on_a ? told.m_appliedTorqueBodyA : told.m_appliedTorqueBodyB)});
+      if (!joints_[j] || (!moves(joints_[j]->getRigidBodyA()) && !moves(joints_[j]->getRigidBodyB())))
+        continue;
+      const btRigidBody& body = *bodies_[static_cast<std::size_t>(scene_.joints[j].body)]->rigid();
+      reactions.push_back(reaction(j, *joints_[j], body, dt_));
+      if (!stops_[j]) continue;
+      const core::Reaction of_stop = reaction(j, *stops_[j], body, dt_);  // of the same body
+      reactions.back().impulse += of_stop.impulse, reactions.back().moment += of_stop.moment;
     }
     return reactions;
   }
@@ -281,16 +275,20 @@ class Run {
     }
   }
 
-  void add_joint(const core::Joint& joint, bool whole_stops) {
+  void add_joint(const core::Joint& joint, const BulletStops& stops) {
     const auto rigid = [&](int i) {
       return i == core::world ? nullptr : bodies_[static_cast<std::size_t>(i)]->rigid();
     };
     btRigidBody &a = *rigid(joint.body), *const b = rigid(joint.to);
-    joints_.emplace_back();
+    joints_.emplace_back(), stops_.emplace_back();
     if (a.isStaticObject() && (!b || b->isStaticObject())) return;  // both ends are locked
-    joints_.back() = make_joint(joint, a, b, dt_, whole_stops);
-    joints_.back()->setJointFeedback(&feedback_.emplace_back());
-    world_->addConstraint(joints_.back().get());
+    add(joints_.back() = make_joint(joint, a, b, dt_, stops));
+    if ((stops_.back() = make_stop(joint, a, b, stops))) add(stops_.back());
+  }
+
+  void add(const std::unique_ptr<btTypedConstraint>& constraint) {
+    constraint->setJointFeedback(&feedback_.emplace_back());
+    world_->addConstraint(constraint.get());
   }
 
   core::Scene scene_;
@@ -311,6 +309,7 @@ class Run {
   std::vector<std::unique_ptr<BulletBody>> planes_, bodies_;
   std::deque<btJointFeedback> feedback_;                    // of joints_, which point at it
   std::vector<std::unique_ptr<btTypedConstraint>> joints_;  // of the scene's; null between locked ends
+  std::vector<std::unique_ptr<btTypedConstraint>> stops_;   // those beside them; null where they are none
   std::vector<std::unique_ptr<btMultiBodyConstraint>> constraints_;  // of multibodies
   std::unique_ptr<btDiscreteDynamicsWorld> world_;
 };
@@ -366,7 +365,7 @@ class Bullet final : public core::Simulator {
       if (auto reason = untreelike(scene)) return reason;
     } else {
       for (const core::Joint& joint : scene.joints)
-        if (auto reason = simulators::unsupported(scene, joint)) return reason;
+        if (auto reason = simulators::unsupported(scene, joint, settings.on("stops-ahead"))) return reason;
     }
     return settings.refused;
   }

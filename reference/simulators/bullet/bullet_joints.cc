@@ -40,13 +40,17 @@ btTransform hinge_frame_in(const btRigidBody& body, const core::Joint& joint) {
   return body.getWorldTransform().inverse() * to_bullet(turn, joint.point);
 }
 
+bool limited(const core::Joint& joint) {
+  const auto is = [](const core::JointCoordinate& c) { return core::has_limit(c); };
+  return std::ranges::any_of(joint.displacements, is) || std::ranges::any_of(joint.angles, is);
+}
 bool resists(const core::JointCoordinate& c) { return core::has_limit(c) || c.friction != 0; }
 
 // ---- Hinges -------------------------------------------------------------------------------------------
 
 // Bullet's angle is that of its first body against the second, 0 where the frames agree: of `body`, as the scene's.
 std::unique_ptr<btTypedConstraint> make_hinge(const core::Joint& joint, btRigidBody& body, btRigidBody* to,
-                                              double dt, bool whole_stops) {
+                                              double dt, const BulletStops& stops) {
   const btVector3 point = to_bullet(joint.point), axis = to_bullet(joint.axis);
   const auto local = [&](const btRigidBody& b) { return b.getWorldTransform().invXform(point); };
   const auto local_axis = [&](const btRigidBody& b) {
@@ -63,10 +67,7 @@ std::unique_ptr<btTypedConstraint> make_hinge(const core::Joint& joint, btRigidB
   const core::JointAngle& c = joint.angles[0];
   // Softness has no effect, the bias factor multiplies the rate after a stop, and the relaxation is its restitution.
   if (core::has_limit(c)) {
-    if (whole_stops) {
-      hinge->setUseFrameOffset(false);
-      hinge->setParam(BT_CONSTRAINT_STOP_ERP, 0);
-    }
+    if (stops.erp) hinge->setParam(BT_CONSTRAINT_STOP_ERP, to_bullet(*stops.erp));
     hinge->setLimit(to_bullet(*c.lower - c.start), to_bullet(*c.upper - c.start), btScalar(0.9), 1,
                     to_bullet(c.restitution));
   }
@@ -81,9 +82,8 @@ std::unique_ptr<btTypedConstraint> make_hinge(const core::Joint& joint, btRigidB
 class SixFreedoms {
  public:
   SixFreedoms(btRigidBody& to, btRigidBody& body, const btTransform& in_to, const btTransform& in_body,
-              bool whole_stops)
-      : whole_stops_(whole_stops),
-        made_(std::make_unique<btGeneric6DofSpring2Constraint>(to, body, in_to, in_body, RO_XYZ)) {
+              std::optional<double> erp)
+      : erp_(erp), made_(std::make_unique<btGeneric6DofSpring2Constraint>(to, body, in_to, in_body, RO_XYZ)) {
     for (int i = 3; i < 6; ++i) made_->setLimit(i, 0, 0);
   }
 
@@ -98,6 +98,11 @@ class SixFreedoms {
     frees(3 + i, other, other.lower.value_or(0) - other.start, other.upper.value_or(0) - other.start);
   }
 
+  // Locks nothing.
+  void frees_all() const {
+    for (int i = 0; i < 6; ++i) made_->setLimit(i, 1, -1);
+  }
+
   std::unique_ptr<btTypedConstraint> made() { return std::move(made_); }
 
  private:
@@ -106,7 +111,7 @@ class SixFreedoms {
     if (core::has_limit(c)) {
       made_->setLimit(i, to_bullet(lower), to_bullet(upper));
       made_->setBounce(i, to_bullet(c.restitution));
-      if (whole_stops_) made_->setParam(BT_CONSTRAINT_STOP_ERP, 1, i);
+      if (erp_) made_->setParam(BT_CONSTRAINT_STOP_ERP, to_bullet(*erp_), i);
     }
     if (c.friction == 0) return;
     made_->enableMotor(i, true);
@@ -114,7 +119,7 @@ class SixFreedoms {
     made_->setMaxMotorForce(i, to_bullet(c.friction));
   }
 
-  bool whole_stops_;
+  std::optional<double> erp_;  // of its stops; nothing: Bullet's own
   std::unique_ptr<btGeneric6DofSpring2Constraint> made_;
 };
 
@@ -136,7 +141,7 @@ Vector3 origin_of(const core::Joint& joint, const btRigidBody& body, const btRig
 }
 
 std::unique_ptr<btTypedConstraint> make_six(const core::Joint& joint, btRigidBody& body, btRigidBody& to,
-                                            bool whole_stops) {
+                                            std::optional<double> erp) {
   const Vector3 origin = origin_of(joint, body, to);
   const auto first = core::Ordinal::first, second = core::Ordinal::second;
   const auto displacement = [&](core::Ordinal which) { return acting(joint.displacements, which); };
@@ -145,33 +150,33 @@ std::unique_ptr<btTypedConstraint> make_six(const core::Joint& joint, btRigidBod
     // Of  Rz(first) Rx(second)  from `to` to `body`: Bullet takes its angles in the order z, y, x, and y is the one that
     // must not come near a quarter turn.
     const Vector3 &x = *joint.axis_2, y = joint.axis.cross(x);
-    SixFreedoms six(to, body, frame_in(to, x, y, origin), frame_in(body, x, y, origin), whole_stops);
+    SixFreedoms six(to, body, frame_in(to, x, y, origin), frame_in(body, x, y, origin), erp);
     six.turns(2, angle(first)), six.turns(0, angle(second));
     return six.made();
   }
   if (joint.type == JointType::planar) {
     SixFreedoms six(to, body, frame_in(to, joint.axis, *joint.axis_2, origin),
-                    frame_in(body, joint.axis, *joint.axis_2, origin), whole_stops);
+                    frame_in(body, joint.axis, *joint.axis_2, origin), erp);
     six.slides(1, displacement(first)), six.slides(2, displacement(second)), six.turns(0, angle(first));
     return six.made();
   }
-  SixFreedoms six(to, body, frame_in(to, joint, origin), frame_in(body, joint, origin), whole_stops);
-  six.slides(0, displacement(first));
-  if (joint.type == JointType::cylindrical) six.turns(0, angle(first));
+  SixFreedoms six(to, body, frame_in(to, joint, origin), frame_in(body, joint, origin), erp);
+  if (joint.type != JointType::hinge) six.slides(0, displacement(first));
+  if (joint.type != JointType::slider) six.turns(0, angle(first));
   return six.made();
 }
 
 // ---- Two bodies that move -----------------------------------------------------------------------------
 
 // The joint of six freedoms pushes each of two bodies at its own point, which a displacement takes apart: a couple that
-// nobody exerts.  Bullet's slider pushes both along one line.  Limits that do not bounce: its bounce has the wrong sign.
+// nobody exerts.  Bullet's slider pushes both along one line.  Its own limits do not bounce: the bounce has the wrong sign.
 std::unique_ptr<btTypedConstraint> make_slider(const core::Joint& joint, btRigidBody& body, btRigidBody& to,
-                                               bool whole_stops) {
+                                               const BulletStops& stops) {
   auto slider = std::make_unique<btSliderConstraint>(to, body, frame_in(to, joint, joint.point),
                                                      frame_in(body, joint, joint.point), true);
   const core::JointCoordinate c = acting(joint.displacements, core::Ordinal::first);
-  if (core::has_limit(c)) {
-    if (whole_stops) slider->setParam(BT_CONSTRAINT_STOP_ERP, 0, 0);
+  if (core::has_limit(c) && !stops.ahead) {
+    if (stops.erp) slider->setParam(BT_CONSTRAINT_STOP_ERP, to_bullet(*stops.erp), 0);
     slider->setLowerLinLimit(to_bullet(c.lower ? *c.lower - c.start : -no_stop));
     slider->setUpperLinLimit(to_bullet(c.upper ? *c.upper - c.start : no_stop));
   }
@@ -205,7 +210,7 @@ Reason against_stops(const core::JointAngle& c, const std::string& of) {
   return {};
 }
 
-Reason against_two_movers(const core::Joint& joint, const std::string& of) {
+Reason against_two_movers(const core::Joint& joint, const std::string& of, bool ahead) {
   if (joint.type == JointType::planar)
     return fmt::format(
         "Bullet's joint of six freedoms pushes each of two moving bodies at its own point "
@@ -213,7 +218,7 @@ Reason against_two_movers(const core::Joint& joint, const std::string& of) {
         of);
   if (joint.type != JointType::slider && joint.type != JointType::cylindrical) return {};
   for (const core::JointDisplacement& c : joint.displacements)
-    if (core::has_limit(c) && c.restitution > 0)
+    if (core::has_limit(c) && c.restitution > 0 && !ahead)
       return fmt::format(
           "Bullet's slider between two moving bodies does not bounce: the rate after a stop has the wrong "
           "sign "
@@ -237,14 +242,14 @@ Reason missing(const core::Joint& joint) {
   return {};
 }
 
-Reason unsupported(const core::Scene& scene, const core::Joint& joint) {
+Reason unsupported(const core::Scene& scene, const core::Joint& joint, bool ahead) {
   const auto body = [&](int i) -> const core::Body& { return scene.bodies[static_cast<std::size_t>(i)]; };
   const auto still = [&](int i) { return i == core::world || body(i).locked; };
   const std::string of =
       fmt::format("the {} joint of '{}'", core::kind_of(joint.type).name, body(joint.body).name);
   for (const core::JointAngle& c : joint.angles)
     if (Reason reason = against_stops(c, of)) return reason;
-  if (!still(joint.body) && !still(joint.to)) return against_two_movers(joint, of);
+  if (!still(joint.body) && !still(joint.to)) return against_two_movers(joint, of, ahead);
   if (joint.type != JointType::planar || still(joint.to)) return {};
   for (const core::JointDisplacement& c : joint.displacements)
     if (resists(c))
@@ -257,7 +262,7 @@ Reason unsupported(const core::Scene& scene, const core::Joint& joint) {
 }
 
 std::unique_ptr<btTypedConstraint> make_joint(const core::Joint& joint, btRigidBody& body, btRigidBody* to,
-                                              double dt, bool whole_stops) {
+                                              double dt, const BulletStops& stops) {
   const btVector3 point = to_bullet(joint.point);
   const auto local = [&](const btRigidBody& b) { return b.getWorldTransform().invXform(point); };
   btRigidBody& other = to ? *to : btTypedConstraint::getFixedBody();
@@ -267,21 +272,48 @@ std::unique_ptr<btTypedConstraint> make_joint(const core::Joint& joint, btRigidB
       if (to) return std::make_unique<btPoint2PointConstraint>(body, *to, local(body), local(*to));
       return std::make_unique<btPoint2PointConstraint>(body, local(body));
     case JointType::hinge:
-      return make_hinge(joint, body, to, dt, whole_stops);
+      return stops.ahead && limited(joint) ? make_six(joint, body, other, stops.erp)
+                                           : make_hinge(joint, body, to, dt, stops);
     case JointType::fixed:
       return std::make_unique<btFixedConstraint>(body, other, frame_in(body, joint, joint.point),
                                                  frame_in(other, joint, joint.point));
     case JointType::slider:
     case JointType::cylindrical:
-      return both ? make_slider(joint, body, other, whole_stops) : make_six(joint, body, other, whole_stops);
+      return both ? make_slider(joint, body, other, stops) : make_six(joint, body, other, stops.erp);
     case JointType::planar:
     case JointType::universal:
-      return make_six(joint, body, other, whole_stops);
+      return make_six(joint, body, other, stops.erp);
     case JointType::distance:
     case JointType::screw:
       break;
   }
   return nullptr;
+}
+
+// A row along the axis alone: the points where it pushes the two lie on one line along it, whatever the displacement.
+std::unique_ptr<btTypedConstraint> make_stop(const core::Joint& joint, btRigidBody& body, btRigidBody* to,
+                                             const BulletStops& stops) {
+  const bool both = to && !body.isStaticObject() && !to->isStaticObject();
+  const bool slides = joint.type == JointType::slider || joint.type == JointType::cylindrical;
+  if (!stops.ahead || !both || !slides || !limited(joint)) return nullptr;
+  core::JointCoordinate c = acting(joint.displacements, core::Ordinal::first);
+  c.friction = 0;  // which the slider has
+  const Vector3 origin = origin_of(joint, body, *to);
+  SixFreedoms six(*to, body, frame_in(*to, joint, origin), frame_in(body, joint, origin), stops.erp);
+  six.frees_all();
+  six.slides(0, c);
+  return six.made();
+}
+
+core::Reaction reaction(std::size_t j, const btTypedConstraint& constraint, const btRigidBody& body,
+                        double dt) {
+  const btRigidBody &a = constraint.getRigidBodyA(), &b = constraint.getRigidBodyB();
+  const btJointFeedback& told = *constraint.getJointFeedback();
+  const bool on_a = !a.isStaticObject();  // some joints push the two at different points: of one that moves
+  const double sign = on_a == (&a == &body) ? 1 : -1;
+  return {j, from_bullet((on_a ? a : b).getCenterOfMassPosition()),
+          sign * dt * from_bullet(on_a ? told.m_appliedForceBodyA : told.m_appliedForceBodyB),
+          sign * dt * from_bullet(on_a ? told.m_appliedTorqueBodyA : told.m_appliedTorqueBodyB)};
 }
 
 }  // namespace cylon::simulators

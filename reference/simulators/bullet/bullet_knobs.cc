@@ -20,6 +20,12 @@ constexpr double largest = std::numeric_limits<float>::max();  // in both of Bul
 
 constexpr Knob table[] = {
     {"erp", "m_erp", 0.2, 0, 1, "fraction of a joint's position error removed per step"},
+    {"stop-erp", "m_stopERP", as_the_joint, 0, 1,
+     "fraction of the way past a stop of a joint removed per step; limits of btMultiBody have erp",
+     Kind::number, Of::rigid},
+    {"stops-ahead", "stops by btGeneric6DofSpring2Constraint", 0, 0, 1,
+     "stops of hinges, and of sliders between two moving bodies, are rows that act before they are passed",
+     Kind::flag, Of::rigid},
     {"erp2", "m_erp2", 0.2, 0, 1, "fraction of a penetration removed per step"},
     {"cfm", "m_globalCfm", 0, 0, largest, "constraint force mixing of contacts and joints"},
     {"iterations", "m_numIterations", 10, 1, 1e6, "sweeps of the constraint solver per step", Kind::whole},
@@ -28,7 +34,8 @@ constexpr Knob table[] = {
     {"restitution-threshold", "m_restitutionVelocityThreshold", 0.2, 0, largest,
      "approach speed below which there is no restitution [m/s]"},
     {"split-threshold", "m_splitImpulsePenetrationThreshold", -0.04, -largest, largest,
-     "gap above which penetration is corrected through the velocity [m]", Kind::number, Of::rigid},
+     "gap above which penetration is corrected through the velocity [m]; of a multibody, the way past a "
+     "stop"},
     {"contact-threshold", "contactProcessingThreshold", no_limit, 0, largest,
      "gap up to which a contact is solved before it touches [m]"},
     {"max-gyroscopic-force", "m_maxGyroscopicForce", 100, 0, largest,
@@ -51,7 +58,9 @@ constexpr Knob table[] = {
     {"slop", "m_linearSlop", 0, -largest, largest, "gap that penetration is measured from [m]"},
     {"relaxation", "m_sor", 1, 0, 2, "over-relaxation of the solver's sweeps", Kind::open},
     {"split-impulse", "m_splitImpulse", 1, 0, 1,
-     "deep penetration is corrected without changing the velocity", Kind::flag, Of::rigid},
+     "deep penetration is corrected without changing the velocity; of a multibody, what is deep past a stop "
+     "not at all",
+     Kind::flag},
     {"two-friction-directions", "SOLVER_USE_2_FRICTION_DIRECTIONS", 0, 0, 1,
      "friction along two directions per contact; multibody always has two", Kind::flag, Of::rigid},
     {"random-order", "SOLVER_RANDMIZE_ORDER", 0, 0, 1, "constraints are solved in a random order", Kind::flag,
@@ -94,6 +103,7 @@ const Knob& knob(std::string_view option) {
 
 std::string text(const Knob& k, double value) {
   if (k.kind == Kind::flag) return value != 0 ? "on" : "off";
+  if (std::isnan(value)) return "erp";
   return value >= no_limit ? "no limit" : fmt::format("{}", value);
 }
 

@@ -1,6 +1,7 @@
 // The numbers and flags that Bullet lets its user set, by our names and by Bullet's.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +13,9 @@ inline constexpr double no_limit = 1e18;
 
 /// At this margin [m] a shape keeps Bullet's own, CONVEX_DISTANCE_MARGIN or less where the shape is small.
 inline constexpr double default_margin = 0.04;
+
+/// A stop that has no ERP of its own takes that of the joint, m_erp.
+inline constexpr double as_the_joint = std::numeric_limits<double>::quiet_NaN();
 
 /// A number, a number strictly between its bounds, a whole number, or a flag: 0 or 1.
 enum class KnobKind { number, open, whole, flag };

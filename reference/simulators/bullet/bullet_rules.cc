@@ -6,7 +6,10 @@ namespace {
 bool bounces(const BulletKind& kind) { return kind.bounces; }
 bool touches(const BulletKind& kind) { return kind.touches; }
 bool presses(const BulletKind& kind) { return kind.touches || kind.stops; }
+bool stops(const BulletKind& kind) { return kind.stops; }
 bool stops_alone(const BulletKind& kind) { return kind.stops && !kind.loops; }
+bool stops_in_loops(const BulletKind& kind) { return kind.stops && kind.loops; }
+bool stops_untouched(const BulletKind& kind) { return kind.stops && !kind.touches; }
 bool wide(const BulletKind& kind) { return kind.wide(); }
 constexpr const char* a_pair_bounces = "where a pair bounces";
 constexpr const char* may_touch = "where bodies may touch";
@@ -24,6 +27,15 @@ constexpr const char* no_push =
     "penetration correction adds energy to every bounce, as speed (Baumgarte) or as height (split impulse)";
 constexpr const char* no_split_push = "if a run sets erp2, the correction must not change the velocity";
 
+constexpr const char* where_stops = "where joints have stops";
+constexpr const char* untouched = "where joints have stops and nothing touches";
+constexpr const char* ahead =
+    "a stop that acts once it is passed adds to the rate what takes back the way past it";
+constexpr const char* whole_way = "with less, such a stop brakes over many steps, and nothing bounces";
+constexpr const char* to_the_end =
+    "what sweeps leave of a load on several stops lets bodies through, or comes back as a bounce";
+constexpr const char* more_sweeps = "10 sweeps leave too much of it";
+
 const BulletRule rules[] = {
     {ours_and_expert, "sleeping", "off", nullptr, "", no_sleep},
     {ours_and_expert, "margin", "0", nullptr, "", sharp},
@@ -32,6 +44,11 @@ const BulletRule rules[] = {
     {{"rigid-bounce"}, "contact-threshold", "0", nullptr, "", no_early_contact},
     {{"rigid-bounce"}, "erp2", "0", nullptr, "", no_push},
     {{"rigid-bounce"}, "split-threshold", "0", nullptr, "", no_split_push},
+
+    {{"rigid", "rigid-bounce"}, "stops-ahead", "on", stops, where_stops, ahead},
+    {{"rigid", "rigid-bounce"}, "stop-erp", "1", stops, where_stops, whole_way},
+    {{"rigid", "rigid-bounce", "multibody"}, "solver", "dantzig", stops_untouched, untouched, to_the_end},
+    {{"rigid", "rigid-bounce", "multibody"}, "iterations", "200", stops, where_stops, more_sweeps},
 
     {{"multibody"}, "damping", "0", nullptr, "", no_damping},
     {{"multibody"}, "max-coordinate-velocity", "1e18", nullptr, "", no_hidden_limit},
@@ -50,6 +67,12 @@ const BulletRule rules[] = {
      stops_alone,
      "where joints have stops and close no loops",
      "the correction of what goes past a stop is a rate that nothing takes back"},
+    {{"multibody"},
+     "split-impulse",
+     "off",
+     stops_in_loops,
+     "where joints have stops and close loops",
+     "what is further past a stop than the split threshold would not be corrected"},
 
     {{"as-expert"}, "damping", "0", expert_takes_multibody, "with btMultiBody", no_damping},
     {{"as-expert"},
@@ -64,6 +87,9 @@ const BulletRule rules[] = {
      expert_takes_multibody,
      "with btMultiBody",
      "order 4 with hinges, 2 with ball joints; nothing needs a contact"},
+    {{"as-expert"}, "stops-ahead", "on", stops, where_stops, ahead},
+    {{"as-expert"}, "stop-erp", "1", stops, where_stops, whole_way},
+    {{"as-expert"}, "solver", "dantzig", stops_untouched, untouched, to_the_end},
     {{"as-expert"},
      "ccd",
      "0.9",

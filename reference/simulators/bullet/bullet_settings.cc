@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
@@ -131,23 +132,8 @@ core::Setting no_limit_of_loops() {
           "a joint must hold whatever pulls at it"};
 }
 
-// How a stop of a joint between rigid bodies gives back the rate that the scene says.
-std::vector<core::Setting> stops(bool whole) {
-  std::vector<core::Setting> all = {
-      {"bias factor of hinge stops", "1", "0.3", "it multiplies the rate after the stop"}};
-  if (!whole) return all;
-  all.push_back(
-      {"setUseFrameOffset of hinges with stops", "off", "on",
-       "with it, a stop takes no account of the arm of a body that hangs from what stands still, and takes "
-       "its momentum"});
-  all.push_back(
-      {"m_stopERP of stops of hinges and of sliders between two bodies that move", "0", "m_erp",
-       "the correction of what goes past a stop is a rate that nothing takes back: up to a fifth of that of "
-       "the impact"});
-  all.push_back(
-      {"m_stopERP of other stops", "1", "m_erp",
-       "they act before they are reached: with less they brake over many steps, and nothing bounces"});
-  return all;
+core::Setting bias_of_hinges() {
+  return {"bias factor of a hinge's own stops", "1", "0.3", "it multiplies the rate after the stop"};
 }
 
 // Bullet's own values, for bodies of one sort.
@@ -171,8 +157,8 @@ core::Path path(const char* name, std::string summary, std::vector<std::string> 
   }
   if (std::string_view(name) == "multibody") {
     result.settings.push_back(no_limit_of_loops());
-  } else {
-    std::ranges::copy(stops(std::string_view(name) != "as-shipped"), std::back_inserter(result.settings));
+  } else if (std::string_view(name) == "as-shipped") {
+    result.settings.push_back(bias_of_hinges());
   }
   return result;
 }
@@ -218,6 +204,11 @@ std::optional<std::string> other_integrator(const BulletSettings& settings, cons
 
 }  // namespace
 
+BulletStops BulletSettings::stops() const {
+  const double erp = number.at("stop-erp");
+  return {on("stops-ahead"), std::isnan(erp) ? std::nullopt : std::optional(erp)};
+}
+
 core::Engine bullet_engine(std::string version, std::string precision) {
   core::Engine engine;
   engine.name = "bullet";
@@ -260,7 +251,6 @@ BulletSettings bullet_settings(const core::Engine& engine, const core::Setup& se
   const bool by_expert = path == "as-expert";
   BulletSettings settings = own(path == "multibody" || (by_expert && expert_takes_multibody(kind)));
   settings.path = path;
-  settings.whole_stops = path != "as-shipped";
 
   Chosen chosen;
   for (const BulletRule& rule : bullet_rules())
@@ -302,8 +292,8 @@ BulletSettings bullet_settings(const core::Engine& engine, const core::Setup& se
   }
   if (settings.multibody && (kind.loops || kind.stops))
     settings.terms.settings.push_back(no_limit_of_loops());
-  if (!settings.multibody && kind.stops)
-    std::ranges::copy(stops(settings.whole_stops), std::back_inserter(settings.terms.settings));
+  if (!settings.multibody && kind.stops && !settings.on("stops-ahead"))
+    settings.terms.settings.push_back(bias_of_hinges());
   settings.terms.unforceable = settings.multibody ? unforceable_multibody() : unforceable_rigid();
   return settings;
 }

@@ -10,6 +10,13 @@
 
 namespace cylon::simulators {
 
+/// How joints between rigid bodies stop.
+struct BulletStops {
+  bool ahead = true;  ///< By rows of btGeneric6DofSpring2Constraint, which act before a stop is passed; else
+                      ///< by each joint's own.
+  std::optional<double> erp;  ///< The part of the way past a stop that a step takes back; nothing: m_erp.
+};
+
 /// One run's settings of Bullet, every default written out.
 struct BulletSettings {
   std::string path;                      ///< "rigid", "rigid-bounce", "multibody", "as-shipped", "as-expert".
@@ -18,13 +25,13 @@ struct BulletSettings {
   std::string gyroscopic;                ///< "implicit-body", "implicit-world", "explicit" or "none".
   std::string solver;                    ///< "sequential-impulse", "nncg" or "dantzig".
   std::map<std::string, double> number;  ///< Every numeric option by its name.
-  bool whole_stops = true;  ///< Stops of joints between rigid bodies bounce as stated: whole_stops().
-  core::Terms terms;        ///< The same for the reports.
+  core::Terms terms;                     ///< The same for the reports.
 
   /// Why this path cannot do what the run asks for on this scene; empty: it can.
   std::optional<std::string> refused;
 
   bool on(const char* option) const { return number.at(option) != 0; }
+  BulletStops stops() const;
 };
 
 /// What Bullet says of itself.

@@ -87,6 +87,19 @@ TEST(GeometryFrustum, GapIsThatOfTheWidestPlane) {
   EXPECT_GT(overlapping, all / 3);
 }
 
+// What Manifold::unsettled promises.
+TEST(GeometryFrustum, TellsByHowMuchTheGapMayBeOff) {
+  int unsettled = 0, all = 0;
+  near_contact(20, [&](const Case& c) {
+    const Manifold m = manifold(c.body.shape, c.pose, c.other.shape, c.other_pose, 1);
+    const Separation s = separation(c.body.shape, c.pose, c.other.shape, c.other_pose);
+    const Real plane = between(c.body.shape, c.pose, c.other.shape, c.other_pose, s.normal);
+    EXPECT_LT(s.gap - plane, m.unsettled + (eps < Real(1e-10) ? Real(1e-13) : Real(1e-5))) << c.label();
+    ++all, unsettled += m.unsettled > 0;
+  });
+  EXPECT_LT(unsettled, all / 20) << all;
+}
+
 TEST(GeometryFrustum, IsTheSameForEitherOrderAndAfterACommonMotion) {
   Sequence random(9);
   near_contact(3, [&](const Case& c) {

@@ -63,6 +63,22 @@ TEST(GeometrySeparation, AgreesWithReferenceDistanceForAllPairs) {
   EXPECT_GT(apart, 500);
 }
 
+// Where most faces and edges are left out unasked: of a body and its neighbour in a pile.
+TEST(GeometrySeparation, AgreesWithReferenceDistanceOfShallowOverlaps) {
+  int overlapping = 0;
+  for_all_pairs(20, [&](Placed x) {
+    for (const Real depth : {Real(1e-2), Real(1e-4), Real(1e-6)}) {
+      const Separation s = of(x);
+      x.pose.position -= (s.gap + depth) * s.normal;
+      const Real gap = of(x).gap;
+      EXPECT_NEAR(gap, slow_gap(x.body->shape, x.pose, x.other->shape, x.other_pose), rounding(x))
+          << x.label() << ' ' << depth;
+      if (gap < -depth / 2) ++overlapping;
+    }
+  });
+  EXPECT_GT(overlapping, 1000);
+}
+
 TEST(GeometrySeparation, AgreesWithReferenceDistanceForLargeHulls) {
   const Shape a = cloud_hull(150, 3), b = cloud_hull(120, 4);
   Sequence random(5);

@@ -381,6 +381,26 @@ TEST(Measure, KnowsTheRoundingFloorOfThePrecision) {
   }
 }
 
+// 100 eps of what is rounded: a given size, the largest value claimed, or a radian.
+TEST(Measure, CountsRoundingsOfTheEnginesPrecision) {
+  Parabola p;
+  const auto allowed_for = [&](const char* precision) {
+    p.recording.engine.precision = precision;
+    return p.measured().allowed;
+  };
+  p.claim.tolerance = {.absolute = 1e-15, .reason = "test", .roundings = 100, .size = 6};
+  EXPECT_DOUBLE_EQ(allowed_for("double"), 1e-15 + 600 * 0x1p-52);
+  EXPECT_DOUBLE_EQ(allowed_for("float"), 1e-15 + 600 * 0x1p-23);
+  p.scene.bodies[0].initial.velocity = {3, 0, -4}, p.scene.bodies[0].mass = 2;
+  p.claim.observable.quantity = Quantity::linear_momentum;
+  p.claim.tolerance = {.reason = "test", .roundings = 100};
+  EXPECT_DOUBLE_EQ(allowed_for("double"), 1000 * 0x1p-52);
+  EXPECT_DOUBLE_EQ(allowed_for("float"), 1000 * 0x1p-23);
+  p.claim.observable.quantity = Quantity::orientation;
+  EXPECT_DOUBLE_EQ(allowed_for("double"), 100 * 0x1p-52);
+  EXPECT_DOUBLE_EQ(allowed_for("float"), 100 * 0x1p-23);
+}
+
 TEST(ObservedOrder, IsTheSlope) {
   const double dt[] = {0.1, 0.05, 0.025}, error[] = {3e-3, 3e-3 / 16, 3e-3 / 256};
   EXPECT_NEAR(observed_order(dt, error), 4, 1e-12);

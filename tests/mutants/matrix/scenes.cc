@@ -51,11 +51,12 @@ Examined examine(const SceneRow& row) {
   for (core::Claim& claim : scenario.claims) {
     claim.until = std::min(claim.until, scenario.duration);
     const bool gap = claim.observable.quantity == core::Quantity::normal_gap;
-    result.shipped.push_back(core::allowed(claim, scenario.scene, scenario.duration));
+    result.shipped.push_back(
+        core::allowed(claim, scenario.scene, scenario.duration, core::epsilon_of_double));
     if (claim.truth && claim.truth->times.empty() && claim.observable.quantity != core::Quantity::event)
       claim.truth = remembered(*claim.truth, spacing, scenario.duration);
     if (!gap && !claim.at_least) claim.sample = spacing;  // a least change is looked for at its own step
-    claim.tolerance.relative = 0;
+    claim.tolerance.relative = 0, claim.tolerance.roundings = 0;
     claim.tolerance.absolute = result.shipped.back();
   }
   return result;

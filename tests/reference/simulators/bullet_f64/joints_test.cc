@@ -46,9 +46,10 @@ struct Bodies {
   btRigidBody& operator[](std::size_t i) { return *all[i]; }
 };
 
-std::unique_ptr<btTypedConstraint> made(Bodies& bodies, const Joint& joint, bool whole_stops = true) {
+std::unique_ptr<btTypedConstraint> made(Bodies& bodies, const Joint& joint,
+                                        const BulletStops& stops = {true, 1}) {
   btRigidBody* const to = joint.to == core::world ? nullptr : &bodies[static_cast<std::size_t>(joint.to)];
-  return make_joint(joint, bodies[static_cast<std::size_t>(joint.body)], to, dt, whole_stops);
+  return make_joint(joint, bodies[static_cast<std::size_t>(joint.body)], to, dt, stops);
 }
 
 void expect_axis(const btMatrix3x3& frame, int column, const Vector3& expected) {
@@ -106,8 +107,8 @@ TEST(BulletJoint, SixFreedomsHaveTheLimitsOfTheScene) {
   Joint joint = joint_of(Type::cylindrical);
   joint.displacements = {{{.start = 0.2, .lower = -0.3, .restitution = 0.4, .friction = 3}}};
   joint.angles = {{{.start = 0.1, .lower = -0.5, .upper = 1.2, .restitution = 0.7, .friction = 0.8}}};
-  for (const bool whole : {true, false}) {
-    const auto made_ = made(bodies, joint, whole);
+  for (const std::optional<double> erp : {std::optional(0.7), std::optional<double>()}) {
+    const auto made_ = made(bodies, joint, {true, erp});
     auto& has = dynamic_cast<btGeneric6DofSpring2Constraint&>(*made_);
     const btTranslationalLimitMotor2& slides = *has.getTranslationalLimitMotor();
     EXPECT_NEAR(slides.m_lowerLimit[0], -0.5, rounding);
@@ -122,9 +123,9 @@ TEST(BulletJoint, SixFreedomsHaveTheLimitsOfTheScene) {
     EXPECT_EQ(turns.m_bounce, 0.7);
     EXPECT_EQ(turns.m_maxMotorForce, 0.8);
     EXPECT_TRUE(turns.m_enableMotor);
-    if (whole) {
-      EXPECT_EQ(has.getParam(BT_CONSTRAINT_STOP_ERP, 0), 1);
-      EXPECT_EQ(has.getParam(BT_CONSTRAINT_STOP_ERP, 3), 1);
+    if (erp) {
+      EXPECT_EQ(has.getParam(BT_CONSTRAINT_STOP_ERP, 0), 0.7);
+      EXPECT_EQ(has.getParam(BT_CONSTRAINT_STOP_ERP, 3), 0.7);
     } else {
       EXPECT_EQ(slides.m_stopERP[0], btScalar(0.2F));
     }
@@ -136,8 +137,8 @@ TEST(BulletJoint, HingesHaveTheLimitsOfTheScene) {
   for (const int to : {core::world, 1}) {
     Joint joint = joint_of(Type::hinge, 0, to);
     joint.angles = {{{.start = 0.1, .lower = -0.5, .upper = 1.2, .restitution = 0.7, .friction = 0.8}}};
-    for (const bool whole : {true, false}) {
-      const auto made_ = made(bodies, joint, whole);
+    for (const std::optional<double> erp : {std::optional(0.7), std::optional<double>()}) {
+      const auto made_ = made(bodies, joint, {false, erp});
       auto& has = dynamic_cast<btHingeConstraint&>(*made_);
       EXPECT_EQ(&has.getRigidBodyA(), &bodies[0]);
       EXPECT_NEAR(has.getHingeAngle(), 0, rounding);
@@ -147,11 +148,46 @@ TEST(BulletJoint, HingesHaveTheLimitsOfTheScene) {
       EXPECT_EQ(has.getLimitBiasFactor(), 1);
       EXPECT_TRUE(has.getEnableAngularMotor());
       EXPECT_NEAR(has.getMaxMotorImpulse(), 0.8 * dt, rounding);
-      EXPECT_EQ(has.getUseFrameOffset(), !whole);
+      EXPECT_TRUE(has.getUseFrameOffset());  // Bullet's own
+      if (erp) {
+        EXPECT_EQ(has.getParam(BT_CONSTRAINT_STOP_ERP, 5), 0.7);
+      }
       const btTransform frame = bodies[0].getWorldTransform() * has.getAFrame();
       expect_axis(frame.getBasis(), 2, axis);
       EXPECT_LT((from_bullet(frame.getOrigin()) - point).norm(), rounding);
     }
+  }
+}
+
+// Ahead of its stops a hinge is a joint of six freedoms with one free; without stops it stays a hinge.
+TEST(BulletJoint, HingesThatStopAheadAreOfSixFreedoms) {
+  Bodies bodies;
+  for (const int to : {core::world, 1}) {
+    Joint joint = joint_of(Type::hinge, 0, to);
+    joint.angles = {{{.start = 0.1, .lower = -0.5, .upper = 1.2, .restitution = 0.7, .friction = 0.8}}};
+    const auto made_ = made(bodies, joint);
+    auto& has = dynamic_cast<btGeneric6DofSpring2Constraint&>(*made_);
+    has.calculateTransforms();
+    expect_axis(has.getCalculatedTransformA().getBasis(), 0, axis);
+    EXPECT_LT((from_bullet(has.getCalculatedTransformA().getOrigin()) - point).norm(), rounding);
+    const btRotationalLimitMotor2& turns = *has.getRotationalLimitMotor(0);
+    EXPECT_NEAR(turns.m_loLimit, -1.1, rounding);
+    EXPECT_NEAR(turns.m_hiLimit, 0.6, rounding);
+    EXPECT_EQ(turns.m_bounce, 0.7);
+    EXPECT_EQ(turns.m_maxMotorForce, 0.8);
+    EXPECT_EQ(has.getParam(BT_CONSTRAINT_STOP_ERP, 3), 1);
+    for (const int locked : {0, 1, 2, 4, 5}) {
+      const bool slides = locked < 3;
+      EXPECT_EQ(slides ? has.getTranslationalLimitMotor()->m_lowerLimit[locked]
+                       : has.getRotationalLimitMotor(locked - 3)->m_loLimit,
+                0);
+      EXPECT_EQ(slides ? has.getTranslationalLimitMotor()->m_upperLimit[locked]
+                       : has.getRotationalLimitMotor(locked - 3)->m_hiLimit,
+                0);
+    }
+    joint.angles = {{{.friction = 0.8}}};
+    const auto free = made(bodies, joint);
+    EXPECT_TRUE(dynamic_cast<btHingeConstraint*>(free.get()));
   }
 }
 
@@ -160,7 +196,7 @@ TEST(BulletJoint, HingesCountAsTheSceneDoes) {
   Bodies bodies;
   Joint joint = joint_of(Type::hinge, 0, 1);
   joint.angles = {{{.lower = -1, .upper = 1}}};
-  const auto made_ = made(bodies, joint);
+  const auto made_ = made(bodies, joint, {false, {}});
   const btQuaternion turn(to_bullet(axis), 0.3);
   bodies[0].setCenterOfMassTransform(btTransform(turn * bodies[0].getWorldTransform().getRotation(),
                                                  bodies[0].getWorldTransform().getOrigin()));
@@ -172,7 +208,9 @@ TEST(BulletJoint, SlidersBetweenTwoMoversHaveTheScenes) {
     Bodies bodies;
     Joint joint = joint_of(type, 0, 1);
     joint.displacements = {{{.start = 0.2, .lower = -0.3, .upper = 0.9, .friction = 3}}};
-    const auto made_ = made(bodies, joint);
+    const BulletStops own{false, 0.7};
+    const auto made_ = made(bodies, joint, own);
+    EXPECT_FALSE(make_stop(joint, bodies[0], &bodies[1], own));
     auto& has = dynamic_cast<btSliderConstraint&>(*made_);
     EXPECT_NEAR(has.getLowerLinLimit(), -0.5, rounding);
     EXPECT_NEAR(has.getUpperLinLimit(), 0.7, rounding);
@@ -181,12 +219,39 @@ TEST(BulletJoint, SlidersBetweenTwoMoversHaveTheScenes) {
     EXPECT_EQ(has.getTargetLinMotorVelocity(), 0);
     EXPECT_EQ(has.getMaxLinMotorForce(), 3);
     EXPECT_EQ(has.getLowerAngLimit() > has.getUpperAngLimit(), type == Type::cylindrical);
-    EXPECT_EQ(has.getParam(BT_CONSTRAINT_STOP_ERP, 0), 0);
+    EXPECT_EQ(has.getParam(BT_CONSTRAINT_STOP_ERP, 0), 0.7);
     bodies[0].translate(to_bullet(Vector3(0.25 * axis)));  // of `body` along the axis of `to`
     has.calculateTransforms(has.getRigidBodyA().getWorldTransform(), has.getRigidBodyB().getWorldTransform());
     has.testLinLimits();
     EXPECT_NEAR(has.getLinearPos(), 0.25, rounding);
     expect_axis(has.getCalculatedTransformA().getBasis(), 0, axis);
+  }
+}
+
+// The slider leaves its stops to a constraint that has a row along the axis and no other.
+TEST(BulletJoint, SlidersBetweenTwoMoversStopAheadByOneRow) {
+  for (const Type type : {Type::slider, Type::cylindrical}) {
+    Bodies bodies;
+    Joint joint = joint_of(type, 0, 1);
+    joint.displacements = {{{.start = 0.2, .lower = -0.3, .upper = 0.9, .restitution = 0.4, .friction = 3}}};
+    const auto guide = made(bodies, joint);
+    auto& slides = dynamic_cast<btSliderConstraint&>(*guide);
+    EXPECT_GT(slides.getLowerLinLimit(), slides.getUpperLinLimit());  // no limits
+    EXPECT_EQ(slides.getMaxLinMotorForce(), 3);
+    const auto stop = make_stop(joint, bodies[0], &bodies[1], {true, 1});
+    const auto& has = six(stop, {false, true, true, true, true, true});
+    const btTranslationalLimitMotor2& row =
+        *dynamic_cast<btGeneric6DofSpring2Constraint&>(*stop).getTranslationalLimitMotor();
+    EXPECT_NEAR(row.m_lowerLimit[0], -0.5, rounding);
+    EXPECT_NEAR(row.m_upperLimit[0], 0.7, rounding);
+    EXPECT_EQ(row.m_bounce[0], 0.4);
+    EXPECT_FALSE(row.m_enableMotor[0]);
+    EXPECT_EQ(row.m_stopERP[0], 1);
+    EXPECT_EQ(&has.getRigidBodyB(), &bodies[0]);  // displacements are of the second along the first's axes
+    expect_axis(has.getCalculatedTransformA().getBasis(), 0, axis);
+    EXPECT_FALSE(make_stop(joint_of(type, 0, 1), bodies[0], &bodies[1], {true, 1}));
+    joint.to = core::world;
+    EXPECT_FALSE(make_stop(joint, bodies[0], nullptr, {true, 1}));
   }
 }
 
@@ -200,7 +265,9 @@ core::Scene scene_of(const Joint& joint) {
   scene.joints = {joint};
   return scene;
 }
-std::optional<std::string> refused(const Joint& joint) { return unsupported(scene_of(joint), joint); }
+std::optional<std::string> refused(const Joint& joint, bool ahead = true) {
+  return unsupported(scene_of(joint), joint, ahead);
+}
 
 TEST(BulletJoint, TellsWhatBulletLacks) {
   EXPECT_TRUE(missing(joint_of(Type::screw)));
@@ -221,10 +288,11 @@ TEST(BulletJoint, TellsWhichStopsBulletLacks) {
     joint.angles = {{c}};
     return refused(joint);
   };
-  const auto with_displacement = [](Type type, int body, int to, const core::JointCoordinate& c) {
+  const auto with_displacement = [](Type type, int body, int to, const core::JointCoordinate& c,
+                                    bool ahead = true) {
     Joint joint = joint_of(type, body, to);
     joint.displacements = {{c}};
-    return refused(joint);
+    return refused(joint, ahead);
   };
   EXPECT_TRUE(with_angle(Type::hinge, core::world, {.lower = -1}));
   EXPECT_TRUE(with_angle(Type::universal, core::world, {.upper = 1}));
@@ -236,7 +304,8 @@ TEST(BulletJoint, TellsWhichStopsBulletLacks) {
 
   EXPECT_FALSE(with_displacement(Type::slider, 0, core::world, {.lower = -1, .restitution = 0.5}));
   EXPECT_FALSE(with_displacement(Type::slider, 0, 1, {.lower = -1}));
-  EXPECT_TRUE(with_displacement(Type::slider, 0, 1, {.lower = -1, .restitution = 0.5}));
+  EXPECT_FALSE(with_displacement(Type::slider, 0, 1, {.lower = -1, .restitution = 0.5}));
+  EXPECT_TRUE(with_displacement(Type::slider, 0, 1, {.lower = -1, .restitution = 0.5}, false));
   EXPECT_FALSE(with_displacement(Type::planar, 0, 2, {.friction = 1}));
   EXPECT_TRUE(with_displacement(Type::planar, 2, 0, {.friction = 1}));
 }
