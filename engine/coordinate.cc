@@ -59,6 +59,29 @@ Real nearest_turn(Real angle, Real near) {
   return near + std::remainder(angle - near, 2 * std::numbers::pi_v<Real>);
 }
 
+namespace {
+
+// With the axis h and the mark m, of which  s = h.m  changes, and the spins w_c and w_o of who carries them:
+//   azimuth       q' = g.(w_a - w_b),  g = (h - s m)/(1 - s^2)
+//   inclination   q' = e.(w_a - w_b),  e = h x m/|h x m|
+// and q'' has besides the same of the accelerations what their own changes add, with  h' = w_c x h,  m' = w_o x m:
+//   g' = (h' - s' m - s m' + 2 s s' g)/(1 - s^2),   e' = the part of  (h x m)'/|h x m|  square to e
+void set_row_of_inclined(const Coordinate& q, const Vector3& h, const Vector3& m, const JointEnd& carrier,
+                         const JointEnd& other, const JointEnd& a, const JointEnd& b, Row& row) {
+  const Vector3 h_rate = carrier.angular_velocity.cross(h), m_rate = other.angular_velocity.cross(m);
+  const Vector3 normal = h.cross(m);
+  if (q.kind == Coordinate::Kind::inclination) {
+    const Real sine = normal.norm();
+    const Vector3 e = normal / sine, change = (h_rate.cross(m) + h.cross(m_rate)) / sine;
+    return set_row_about(e, change - e.dot(change) * e, a, b, row);
+  }
+  const Real s = h.dot(m), s_rate = h_rate.dot(m) + h.dot(m_rate), square = normal.squaredNorm();
+  const Vector3 g = (h - s * m) / square;
+  set_row_about(g, (h_rate - s_rate * m - s * m_rate + 2 * s * s_rate * g) / square, a, b, row);
+}
+
+}  // namespace
+
 Row row_of(const Coordinate& q, const JointEnd& body, const JointEnd& to) {
   Row row;
   row.body = q.body;
@@ -70,8 +93,16 @@ Row row_of(const Coordinate& q, const JointEnd& body, const JointEnd& to) {
     row.offset += q.origin;
     return row;
   }
-  set_row_about(h, carrier.angular_velocity.cross(h), body, to, row);
   const Vector3 zero = carrier.rotation * q.zero, mark = other.rotation * q.mark;
+  if (q.kind == Coordinate::Kind::angle)
+    set_row_about(h, carrier.angular_velocity.cross(h), body, to, row);
+  else
+    set_row_of_inclined(q, h, mark, carrier, other, body, to, row);
+  if (q.kind == Coordinate::Kind::inclination) {
+    row.offset = q.origin + std::atan2(h.cross(mark).norm(), h.dot(mark)) - q.zero_inclination;
+    row.rounding = 8 * epsilon * (1 + std::abs(q.origin));
+    return row;
+  }
   const Real angle = std::atan2(h.cross(zero).dot(mark), zero.dot(mark));
   row.offset = nearest_turn(q.origin + (q.on_body ? -angle : angle), q.near);
   row.rounding = 8 * epsilon * (1 + std::abs(row.offset));

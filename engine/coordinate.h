@@ -35,8 +35,11 @@ void set_row_about(const Vector3& h, const Vector3& change, const JointEnd& a, c
 /// which the other end carries; against that angle where `body` is the carrier, so that q' = h.(w_a - w_b)
 /// for both.  It is continued over any number of turns: of all values that the orientation allows, which are
 /// 2 pi apart, q is the one nearest to `near`.
+/// An azimuth: the same of a mark that need not be square to the axis, of which the part that is counts.  Not a number
+/// where there is none.
+/// An inclination: q = origin + the angle from the axis, which `to` carries, to the mark, less `zero_inclination`.
 struct Coordinate {
-  enum class Kind { displacement, angle };
+  enum class Kind { displacement, angle, azimuth, inclination };
   Kind kind = Kind::displacement;
   int body = 0;
   Vector3 anchor = Vector3::Zero();  ///< Body axes [m]; of a displacement.
@@ -47,10 +50,12 @@ struct Coordinate {
   Vector3 zero = Vector3::UnitY();      ///< Unit, square to the axis, axes of its carrier.
   Vector3 mark = Vector3::UnitY();      ///< Unit, axes of the other end.
   Real origin = 0;                      ///< [m, rad]
+  Real zero_inclination = 0;            ///< [rad]
   /// Of an angle that has turned already: what q is near to at the start [rad]; absent: near the origin.
   std::optional<Real> start = {};
   Real near = 0;  ///< Of an angle: what q is near to now [rad]; kept by who moves bodies.
 
+  bool is_angle() const { return kind != Kind::displacement; }
   void shift_anchors(int end, const Vector3& arm) {
     if (end == body) anchor -= arm;
     if (end == to) to_anchor -= arm;

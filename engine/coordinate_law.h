@@ -64,7 +64,9 @@ struct CoordinateLaw {
     return stiffness != 0 || damping != 0 || quadratic_damping != 0 || force != 0;
   }
   /// Whether it matters how many turns the coordinate has made.
-  bool counts_turns() const { return at.kind == Coordinate::Kind::angle && (stiffness != 0 || is_limited()); }
+  bool counts_turns() const {
+    return at.is_angle() && at.kind != Coordinate::Kind::inclination && (stiffness != 0 || is_limited());
+  }
 
   static constexpr const char* stage = "springs, dampers and motors in joints";
   static constexpr const char* one = "a force in a joint";

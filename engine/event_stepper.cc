@@ -265,7 +265,7 @@ Time EventStepper::smooth_span(Time from, Time span) {
   span = std::min(span, kink_ - from);
   const Model& model = system_.model();
   for (const CoordinateLaw& law : model.forces.coordinate_laws) {
-    if (!law.is_limited() || law.at.kind != Coordinate::Kind::angle) continue;
+    if (!law.is_limited() || !law.at.is_angle()) continue;
     const Real rate = speed_of(row_of(law.at, model.bodies, motions()), model.bodies, motions());
     if (std::abs(rate) * static_cast<Real>(span) > 1) span = static_cast<Time>(1 / std::abs(rate));
   }

@@ -115,7 +115,7 @@ void add_at_length(const Joint& joint, const JointEnd& a, const JointEnd& b, std
 }  // namespace
 
 int row_count(Joint::Type type) {
-  constexpr int of_place[] = {3, 1, 2, 1}, of_turn[] = {0, 2, 1, 3};  // in the order of the enumerations
+  constexpr int of_place[] = {3, 1, 2, 1}, of_turn[] = {0, 2, 1, 3, 0};  // in the order of the enumerations
   return of_place[static_cast<std::size_t>(type.place)] + of_turn[static_cast<std::size_t>(type.turn)] +
          (type.couples ? 1 : 0);
 }
@@ -140,6 +140,7 @@ void add_rows(const Joint& joint, const std::vector<Body>& bodies, const Motion*
   }
   switch (joint.type.turn) {
     case Joint::Turn::freely:
+    case Joint::Turn::about_three_axes:
       break;
     case Joint::Turn::about_axis:
       add_about_axis(joint, a, b, rows);
@@ -185,6 +186,7 @@ Misfit misfit_of_place(const Joint& joint, const Vector3& apart, const Quaternio
 Misfit misfit_of_turn(const Joint& joint, const Quaternion& body, const Quaternion& to) {
   switch (joint.type.turn) {
     case Joint::Turn::freely:
+    case Joint::Turn::about_three_axes:
       return {.space = Matrix3::Zero()};
     case Joint::Turn::about_axis: {
       const Vector3 axis = body * joint.axis;

@@ -101,6 +101,7 @@ void add_joint(Joint::Type type, Features& features) {
   }
   switch (type.turn) {
     case Joint::Turn::freely:
+    case Joint::Turn::about_three_axes:
       break;
     case Joint::Turn::about_axis:
       features.add(Feature::joint_about_axis);

@@ -24,14 +24,17 @@ struct Joint {
   };
   enum class Turn {
     freely,
-    about_axis,      ///< The axes coincide.
-    about_two_axes,  ///< The axes stay square to each other.
-    never            ///< The bodies do not turn against each other.
+    about_axis,       ///< The axes coincide.
+    about_two_axes,   ///< The axes stay square to each other.
+    never,            ///< The bodies do not turn against each other.
+    about_three_axes  ///< Freely; its angles are about the axes and the line square to both.
   };
   /// What a joint keeps; every kind of joint is a place and a turn.
   struct Type {
     Place place = Place::together;
     Turn turn = Turn::freely;
+    /// It keeps the bodies from some turn.
+    bool twists() const { return turn != Turn::freely && turn != Turn::about_three_axes; }
     bool couples = false;  ///< along_axis and about_axis: the displacement is `pitch` times the angle.
     friend bool operator==(const Type&, const Type&) = default;
   };

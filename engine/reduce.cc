@@ -198,9 +198,11 @@ bool put_in_plane(Reduced& reduced, int i, const Fastening& f) {
 constexpr Joint::Type about_axis{Joint::Place::together, Joint::Turn::about_axis},
     on_line{Joint::Place::along_axis, Joint::Turn::never},
     on_shaft{Joint::Place::along_axis, Joint::Turn::about_axis},
-    in_plane{Joint::Place::in_plane, Joint::Turn::about_axis};
+    in_plane{Joint::Place::in_plane, Joint::Turn::about_axis},
+    in_gimbal{Joint::Place::together, Joint::Turn::about_three_axes};
 constexpr std::array reducible = {
     Reducible{{Joint::Place::together, Joint::Turn::freely}, "turns about a point", pin_at_point, false},
+    Reducible{in_gimbal, "turns about a point", pin_at_point, false},
     Reducible{about_axis, "turns about an axis", pin_on_axis, false},
     Reducible{on_rod, "keeps its distance from a point", put_on_rod, false},
     Reducible{on_line, "moves along an axis", put_on_line, true},

@@ -67,8 +67,9 @@ bool Trees::applies(const Model& model, const Options& options, const Integrator
   // A law of which the turns count belongs to an angle of its joint.
   for (const CoordinateLaw& law : model.forces.coordinate_laws)
     if (law.counts_turns() && std::ranges::none_of(model.joints, [&](const Joint& joint) {
-          const bool turns =
-              joint.type.turn == Joint::Turn::about_axis || joint.type.turn == Joint::Turn::about_two_axes;
+          const Joint::Turn turn = joint.type.turn;
+          const bool turns = turn == Joint::Turn::about_axis || turn == Joint::Turn::about_two_axes ||
+                             turn == Joint::Turn::about_three_axes;
           return turns && ((joint.body == law.at.body && joint.to == law.at.to) ||
                            (joint.body == law.at.to && joint.to == law.at.body));
         }))
@@ -127,17 +128,25 @@ void Trees::hang(int body, const Joint* joint, int parent) {
     node.second = node.relative * node.second_axis;
     using Turn = Joint::Turn;
     const Turn turn = joint->type.turn;
-    node.turns = turn == Turn::freely           ? Turns::freely
-                 : turn == Turn::about_axis     ? Turns::about_one
-                 : turn == Turn::about_two_axes ? Turns::about_two
-                                                : Turns::never;
+    node.turns = turn == Turn::freely             ? Turns::freely
+                 : turn == Turn::about_axis       ? Turns::about_one
+                 : turn == Turn::about_two_axes   ? Turns::about_two
+                 : turn == Turn::about_three_axes ? Turns::about_three
+                                                  : Turns::never;
+    if (node.turns == Turns::about_three) node.third = node.first.cross(node.second).normalized();
   }
   arm_ = std::max({arm_, node.anchor.norm(), parent == fixed_world ? Real(0) : node.parent_anchor.norm()});
   node.slides = static_cast<int>(node.directions.size());
-  node.angles = node.turns == Turns::about_one ? 1 : node.turns == Turns::about_two ? 2 : 0;
+  node.angles = node.turns == Turns::freely ? 0 : static_cast<int>(node.turns);
   node.freedoms = node.slides + (node.turns == Turns::freely ? 3 : node.angles);
   size_ += node.coordinates() + static_cast<std::size_t>(node.freedoms);
   nodes_.push_back(std::move(node));
+}
+
+// Which angle of a joint a law is about.  The second of two or three is about the axis that the body carries.
+int Trees::angle_of(const Node& node, const CoordinateLaw& law) const {
+  if (law.at.kind == Coordinate::Kind::inclination) return 2;
+  return node.angles > 1 && (law.at.on_body ? law.at.body : law.at.to) == node.body ? 1 : 0;
 }
 
 // An angle of a law is that of its joint, counted from the start, on the side of the law.
@@ -149,13 +158,13 @@ void Trees::count_turns() {
       const bool from_body = node.body == law.at.body && node.parent == law.at.to;
       if (node.angles == 0 || !(from_body || (node.body == law.at.to && node.parent == law.at.body)))
         continue;
-      const bool carried = (law.at.on_body ? law.at.body : law.at.to) == node.body,
-                 second = node.angles > 1 && carried;
+      const int which = angle_of(node, law);
+      const bool carried = (law.at.on_body ? law.at.body : law.at.to) == node.body;
       const Matrix3 &below = kinematics_[index(node.body)].rotation,
                     &above = kinematics_[node.above].rotation;
-      const Vector3 ours = second ? Vector3(below * node.second_axis) : Vector3(above * node.first);
+      const Vector3 ours = which == 1 ? Vector3(below * node.second_axis) : Vector3(above * node.first);
       const Real along = ours.dot((carried ? below : above) * law.at.axis);
-      counted_.push_back({k, node.at + static_cast<std::size_t>(node.slides) + (second ? 1 : 0),
+      counted_.push_back({k, node.at + index(node.slides + which),
                           (along > 0) == from_body ? Real(1) : Real(-1), law.at.near});
     }
   }
@@ -177,11 +186,11 @@ void Trees::add_rotors() {
       for (int i = 0; slides && i < node.slides; ++i)
         along[i] = axis.dot(direction(node, i, kinematics_.data()));
       if (!slides) {
-        // Of two the first is about the axis that the parent carries.
         const Vector3 first = kinematics_[node.above].rotation * node.first,
                       second = kinematics_[index(node.body)].rotation * node.second_axis;
-        const bool of_body = node.angles > 1 && carrier == node.body;
-        along[node.slides + (of_body ? 1 : 0)] = axis.dot(of_body ? second : first);
+        const int which = angle_of(node, law);
+        // The angle between two axes grows with that of a gimbal, from whichever side.
+        along[node.slides + which] = which == 2 ? 1 : axis.dot(which == 1 ? second : first);
       }
       node.rotor += law.armature * along * along.transpose();
       node.drives = true;
@@ -232,8 +241,16 @@ std::vector<Real> Trees::initial() const {
       std::copy_n(m.orientation.coeffs().data(), 4, q);
       std::copy_n(k.angular_velocity.data(), 3, rate);
     }
-    if (node.angles > 0) *rate++ = (above.rotation * node.first).dot(spin);
-    if (node.angles > 1) *rate++ = (k.rotation * node.second_axis).dot(spin);
+    const Vector3 first = above.rotation * node.first, second = k.rotation * node.second_axis;
+    if (node.angles > 2) {  // of axes that are not square
+      Matrix3 axes;
+      axes << first, second, above.rotation * node.third;
+      const Vector3 rates = axes.inverse() * spin;
+      rate = std::copy_n(rates.data(), 3, rate);
+    } else {
+      if (node.angles > 0) *rate++ = first.dot(spin);
+      if (node.angles > 1) *rate++ = second.dot(spin);
+    }
     if (node.members < 2) continue;
     const Sums sums = sums_of(node, motions_.data());
     for (int i = 0; i < 3; ++i) {
@@ -244,8 +261,13 @@ std::vector<Real> Trees::initial() const {
   return y;
 }
 
+// Of the turn between the two axes of a gimbal: square to both, and what the first carries.
+Vector3 Trees::axis_between(const Node& node, const Real* angles, const Kinematics* kinematics) const {
+  return kinematics[node.above].rotation * (exponential(angles[0] * node.first) * node.third);
+}
+
 // Where a body is and how it moves, from its coordinates and its parent:
-//   R = R_p exp(a h) exp(b u) R_0,   c = pivot - R anchor  (with displacements on the side of who carries them),
+//   R = R_p exp(a h) exp(b n) exp(c u) R_0,   c = pivot - R anchor  (with displacements on the side of who carries them),
 //   w = w_p + sum e a',   v = v_p + w_p x (pivot - c_p) + sum d s' + w x (c - pivot)
 void Trees::place(const Node& node, const Real* y, Motion* motions, Kinematics* kinematics) const {
   const Body& body = model_.bodies[index(node.body)];
@@ -262,12 +284,14 @@ void Trees::place(const Node& node, const Real* y, Motion* motions, Kinematics* 
   } else {
     Quaternion turn = node.relative;
     if (node.angles > 1) turn = exponential(q[1] * node.second) * turn;
+    if (node.angles > 2) turn = exponential(q[2] * node.third) * turn;
     if (node.angles > 0) turn = exponential(q[0] * node.first) * turn;
     m.orientation = renormalised(motions[node.above].orientation * turn);
     k.rotation = rotation_matrix(m.orientation);
     k.angular_velocity = above.angular_velocity;
     if (node.angles > 0) k.angular_velocity += rate[0] * (above.rotation * node.first);
     if (node.angles > 1) k.angular_velocity += rate[1] * (k.rotation * node.second_axis);
+    if (node.angles > 2) k.angular_velocity += rate[2] * axis_between(node, q, kinematics);
   }
   Vector3 slid = Vector3::Zero(), slip = Vector3::Zero();
   for (int i = 0; i < node.slides; ++i) {
@@ -350,6 +374,9 @@ void Trees::find_space(const Node& node, const Real* y) {
   }
   if (node.angles > 0) turn_at_rate(above.rotation * node.first, w_above);
   if (node.angles > 1) turn_at_rate(k.rotation * node.second_axis, k.angular_velocity);
+  if (node.angles > 2)
+    turn_at_rate(axis_between(node, y + node.at + node.slides, kinematics_.data()),
+                 w_above + rate[node.slides] * (above.rotation * node.first));
   set(a.change, 0, turned, carried);
 }
 

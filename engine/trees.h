@@ -49,7 +49,7 @@ class Trees {
  private:
   using Vector6 = Eigen::Matrix<Real, 6, 1>;
   using Matrix6 = Eigen::Matrix<Real, 6, 6>;
-  enum class Turns { never, about_one, about_two, freely };
+  enum class Turns { never, about_one, about_two, about_three, freely };
 
   // A body and the joint by which it hangs from its parent.
   struct Node {
@@ -60,6 +60,7 @@ class Trees {
     std::vector<Vector3> directions;     // of displacements, axes of who carries them
     Turns turns = Turns::never;
     Vector3 first, second;    // axes of turns in those of the parent, at angles 0
+    Vector3 third;            // the same, of a turn between the two
     Vector3 second_axis;      // the same as second, in those of the body
     Quaternion relative;      // body to parent, at angles 0
     std::size_t at = 0;       // in y
@@ -90,6 +91,8 @@ class Trees {
     Vector3 places = Vector3::Zero(), momentum = Vector3::Zero();
   };
   Vector3 direction(const Node&, int, const Kinematics*) const;
+  Vector3 axis_between(const Node&, const Real* angles, const Kinematics*) const;
+  int angle_of(const Node&, const CoordinateLaw&) const;
   Sums sums_of(const Node& root, const Motion*) const;
   void move_to_centre(const Node& root, const Real* y, Motion*, Kinematics*) const;
   void place_all(const Real* y, Motion*, Kinematics*) const;

@@ -31,7 +31,7 @@ std::vector<char> bodies_that_turn(const Model& model) {
     if (body != fixed_world && !anchor.isZero(0)) turns[static_cast<std::size_t>(body)] = 1;
   };
   for (const Joint& j : model.joints) {
-    const bool twists = j.type.turn != Joint::Turn::freely;
+    const bool twists = j.type.twists();
     held_at(j.body, twists ? Vector3(Vector3::Ones()) : j.anchor);
     held_at(j.to, twists ? Vector3(Vector3::Ones()) : j.to_anchor);
   }

@@ -40,7 +40,8 @@ struct Block {
   int b = fixed_world;
   Vector3 arm = Vector3::Zero(), to_arm = Vector3::Zero();  ///< From the reference points, world axes [m].
   Vector3 normal = Vector3::UnitY();                        ///< From b to a; of a joint the axis.
-  Vector3 own_normal = Vector3::UnitY();                    ///< The same in a's axes, of two bodies.
+  Real gearing = 1;  ///< Of a law, an angle of a gimbal apart: q' = gearing n.u with n unit.
+  Vector3 own_normal = Vector3::UnitY();  ///< The same in a's axes, of two bodies.
   Matrix3 space = Matrix3::Identity();
   Real friction = 0, target = 0;  ///< Of rub: a force [N, N m].
   Real limit = 0;                 ///< Of rub, in this part of the step [N s, N m s].

@@ -307,15 +307,16 @@ void BodyContacts::leave_out_inside(const std::vector<Motion>& motions, int a, i
 
 namespace {
 
-// q' = n.u  with n the axis; the arms of a displacement end at one point, that of `body`, as its row's do.
+// q' = gearing n.u  with n the axis; the arms of a displacement end at one point, that of `body`, as its row's do.
 Block block_along(const CoordinateLaw& law, const std::vector<Body>& bodies,
                   const std::vector<Motion>& motions) {
   const Coordinate& at = law.at;
   const Row row = row_of(at, bodies, motions.data());
   Block block;
   block.a = at.body, block.b = at.to;
-  block.angular = at.kind == Coordinate::Kind::angle;
+  block.angular = at.is_angle();
   block.normal = block.angular ? row.lever : row.direction;
+  if (at.kind == Coordinate::Kind::azimuth) block.gearing = block.normal.norm(), block.normal.normalize();
   if (block.angular) return block;
   block.arm = point(at.anchor, at.body, motions) - motions[index(at.body)].position;
   if (at.to != fixed_world)
@@ -356,7 +357,7 @@ void BodyContacts::add_joints(const std::vector<Motion>& motions, const std::vec
     place_hold(joint, block, motions);
     block.space = misfit_of_place(joint, offset(block, motions), orientation_of(joint.to, motions)).space;
     add(block);
-    if (joint.type.turn == Joint::Turn::freely) continue;
+    if (!joint.type.twists()) continue;
     block.angular = true;
     block.space =
         misfit_of_turn(joint, orientation_of(joint.body, motions), orientation_of(joint.to, motions)).space;
@@ -379,7 +380,7 @@ void BodyContacts::add_joints(const std::vector<Motion>& motions, const std::vec
       add_along(block);
     }
     if (law.friction != 0) {
-      block.kind = Block::Kind::rub, block.friction = law.friction;
+      block.kind = Block::Kind::rub, block.friction = block.gearing * law.friction;
       add_along(block);
     }
     block.kind = Block::Kind::stop, block.friction = 0, block.restitution = law.restitution;

@@ -47,19 +47,22 @@ void BodyPile::note_impacts(Time now) {
 
 // The law at the end of the part, with q there = q + h u; s the span for which it acts:
 //   J = s Q = s (F - k (q - r) + c r') - s (c + c_2 |u_before| + h k) u,  r the target at the end
-// and of a rotor, which has turned at u_before,  J = -A (u - u_before).
+// and of a rotor, which has turned at u_before,  J = -A (u - u_before);  of a coordinate geared to u, gearing times what
+// gearing u makes of it.
 void BodyPile::soften(Block& block, Time now, Real span, Real h) const {
   const CoordinateLaw& law = model_.forces.coordinate_laws[index(block.law)];
   const Real q = row_of(law.at, model_.bodies, motions_.data()).offset;
   const Target::Now target = law.target.at(now + static_cast<Time>(h));
-  block.push = span * (law.force - law.stiffness * (q - target.value) + law.damping * target.rate);
-  const Real speed = std::abs(block.normal.dot(block.before));
-  block.drag = span * (law.damping + law.quadratic_damping * speed + h * law.stiffness);
+  const Real gearing = block.gearing;
+  block.push = gearing * span * (law.force - law.stiffness * (q - target.value) + law.damping * target.rate);
+  const Real speed = gearing * std::abs(block.normal.dot(block.before));
+  block.drag = gearing * gearing * span * (law.damping + law.quadratic_damping * speed + h * law.stiffness);
   if (law.armature == 0) return;
   // As the last part left it: since then axes have turned, which a rotor answers too.
   const Past& past = block.past;
   const Real turned = past.known ? past.normal.dot(past.u) : block.normal.dot(block.before);
-  block.push += law.armature * turned, block.drag += law.armature;
+  const Real rotor = gearing * gearing * law.armature;
+  block.push += rotor * turned, block.drag += rotor;
 }
 
 // How fast rotors turn, before the drift turns their axes.
@@ -72,11 +75,11 @@ void BodyPile::note_rotors() {
   }
 }
 
-// How far the coordinate is from the limit now, negative beyond [m, rad].
+// How far the limit is along the block's normal now, negative beyond [m, rad].
 Real BodyPile::gap_of_stop(const Block& block) const {
   const CoordinateLaw& law = model_.forces.coordinate_laws[index(block.law)];
   const Real q = row_of(law.at, model_.bodies, motions_.data()).offset;
-  return block.upper ? law.upper - q : q - law.lower;
+  return (block.upper ? law.upper - q : q - law.lower) / block.gearing;
 }
 
 // Before overlaps are removed: where the step has left coordinates.

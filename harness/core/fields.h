@@ -24,7 +24,7 @@ struct Words<JointType> {
 };
 template <>
 struct Words<Ordinal> {
-  static constexpr std::array<std::string_view, 2> list = {"first", "second"};
+  static constexpr std::array<std::string_view, 3> list = {"first", "second", "third"};
 };
 template <>
 struct Words<Impacts> {
@@ -316,7 +316,7 @@ template <class Units>
 constexpr auto coordinate() {
   using C = JointCoordinate;
   return std::tuple{
-      Field{"which", &C::which, {.meaning = "Of a joint that has two such coordinates: which."}},
+      Field{"which", &C::which, {.meaning = "Of a joint that has several such coordinates: which."}},
       Field{"start",
             &C::start,
             {.unit = Units::value,
@@ -408,14 +408,14 @@ struct Element<Joint> {
            .meaning = "Of a joint about or along an axis, or in the plane square to it; world axes at t = 0, "
                       "any length but zero."},
           [](const Joint& j) { return kind_of(j.type).has_axis(); }},
-      Field{
-          "axis_2",
-          &Joint::axis_2,
-          {.in = Expressed::world_vector,
-           .required = true,
-           .meaning = "Square to `axis`: the second axis of a universal joint, fixed in `body`, or the first "
-                      "displacement of a planar joint, fixed in `to`."},
-          [](const Joint& j) { return kind_of(j.type).has_second_axis(); }},
+      Field{"axis_2",
+            &Joint::axis_2,
+            {.in = Expressed::world_vector,
+             .required = true,
+             .meaning = "The second axis of a universal joint or a gimbal, fixed in `body`, or the first "
+                        "displacement of a planar joint, fixed in `to`. Square to `axis`; of a gimbal, only "
+                        "not parallel to it."},
+            [](const Joint& j) { return kind_of(j.type).has_second_axis(); }},
       Field{"length",
             &Joint::length,
             {.unit = "m",

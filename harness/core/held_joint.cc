@@ -83,6 +83,7 @@ void add_turn(const HeldJoint& j, const End& a, const End& b, std::vector<JointR
   };
   switch (kind_of(j.type).turn) {
     case JointTurn::freely:
+    case JointTurn::about_three_axes:
       return;
     case JointTurn::about_axis: {
       const Vector3 axis = a.orientation * j.axis, error = (b.orientation * j.to_axis).cross(axis);
@@ -196,6 +197,7 @@ double turned_by(const Scene& scene, const Joint& joint, const State& state) {
   const End a = end_of(state, held.body, held.anchor), b = end_of(state, held.to, held.to_anchor);
   switch (kind_of(joint.type).turn) {
     case JointTurn::freely:
+    case JointTurn::about_three_axes:
       break;
     case JointTurn::about_axis: {
       const Vector3 ours = a.orientation * held.axis, theirs = b.orientation * held.to_axis;
@@ -232,6 +234,7 @@ RelativeMotion forbidden(const Joint& joint, const Vector3& apart, const Relativ
   }
   switch (kind.turn) {
     case JointTurn::freely:
+    case JointTurn::about_three_axes:
       part.spin = Vector3::Zero();
       break;
     case JointTurn::about_axis:

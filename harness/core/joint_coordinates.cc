@@ -58,24 +58,59 @@ double joint_displacement_rate(const HeldJoint& joint, Ordinal which, const Stat
       .dot(b.orientation * direction(joint, which));
 }
 
-// About two axes h, u square to each other,  R = R(h, a) R(u, b):
-//   R u = R(h, a) u = cos a u + sin a h x u,   R^T h = R(u, -b) h = cos b h - sin b u x h
+// About two axes h, u,  R = R(h, a) R(h x u, b) R(u, c):  with u' the part of u square to h and h' that of h to u,
+//   R u = R(h, a) R(h x u, b) u,   of which R(h, a) turns the part square to h:  cos a u' + sin a h x u, times a number,
+//   R^T h = R(u, -c) R(h x u, -b) h,   the same:  cos c h' - sin c u x h,
+// and  b  is what the angle between h and R u has grown.
 double joint_angle(const HeldJoint& joint, Ordinal which, const State& state) {
   const Quaternion turn =  // since t = 0, in the axes of `to`
       second_end(joint, state).orientation.conjugate() * first_end(joint, state).orientation *
       joint.turn.conjugate();
   const Vector3 &h = joint.to_axis, &u = joint.to_axis_2;
-  if (kind_of(joint.type).turn != JointTurn::about_two_axes)
+  if (!kind_of(joint.type).turns_between_axes())
     return std::remainder(2 * std::atan2(turn.vec().dot(h), turn.w()), 2 * std::numbers::pi);
-  const Vector3 now = which == Ordinal::first ? Vector3(turn * u) : Vector3(turn.conjugate() * h);
-  return which == Ordinal::first ? std::atan2(now.dot(h.cross(u)), now.dot(u))
-                                 : std::atan2(-now.dot(u.cross(h)), now.dot(h));
+  const auto between = [](const Vector3& x, const Vector3& y) {
+    return std::atan2(x.cross(y).norm(), x.dot(y));
+  };
+  switch (which) {
+    case Ordinal::first: {
+      const Vector3 now = turn * u;
+      return std::atan2(now.dot(h.cross(u)), now.dot(u - h.dot(u) * h));
+    }
+    case Ordinal::second: {
+      const Vector3 now = turn.conjugate() * h;
+      return std::atan2(-now.dot(u.cross(h)), now.dot(h - u.dot(h) * u));
+    }
+    case Ordinal::third:
+      break;
+  }
+  return between(h, turn * u) - between(h, u);
+}
+
+// h and u span the turns that the other two angles leave, so an angle's rate is the spin along what is square to those:
+//   w = h a' + n b' + u c',  n = h x u/|h x u|:   a' = w.(h - s u)/(1 - s^2),  c' = w.(u - s h)/(1 - s^2),  s = h.u
+Vector3 angle_direction(const HeldJoint& joint, Ordinal which, const State& state) {
+  const Vector3 h = second_end(joint, state).orientation * joint.to_axis;
+  if (!kind_of(joint.type).turns_between_axes()) return h;
+  const Vector3 u = first_end(joint, state).orientation * joint.axis_2;
+  if (kind_of(joint.type).turn == JointTurn::about_two_axes) return which == Ordinal::first ? h : u;
+  const Vector3 normal = h.cross(u);
+  const double sine = normal.norm();
+  if (which == Ordinal::third) return normal / sine;
+  const double s = h.dot(u);
+  return (which == Ordinal::first ? Vector3(h - s * u) : Vector3(u - s * h)) / (sine * sine);
+}
+
+double angle_sharpness(const HeldJoint& joint, const State& state) {
+  if (kind_of(joint.type).turn != JointTurn::about_three_axes) return 1;
+  const Vector3 h = second_end(joint, state).orientation * joint.to_axis,
+                u = first_end(joint, state).orientation * joint.axis_2;
+  return 1 / h.cross(u).norm();
 }
 
 double joint_angle_rate(const HeldJoint& joint, Ordinal which, const State& state) {
-  const End a = first_end(joint, state), b = second_end(joint, state);
-  return (a.spin - b.spin)
-      .dot(which == Ordinal::first ? b.orientation * joint.to_axis : a.orientation * joint.axis_2);
+  return (first_end(joint, state).spin - second_end(joint, state).spin)
+      .dot(angle_direction(joint, which, state));
 }
 
 double target(const JointCoordinate& c, double time) {
@@ -141,7 +176,7 @@ double joint_potential_error(const HeldJoint& joint, const State& state, const S
   for (const JointDisplacement& c : joint.displacements)
     sum += slope(c, joint_displacement(joint, c.which, state)) * 2 * (e.position + reach * e.orientation);
   for (const JointAngle& c : joint.angles)
-    sum += slope(c, joint_angle(joint, c.which, state)) * 2 * e.orientation;
+    sum += slope(c, joint_angle(joint, c.which, state)) * 2 * angle_sharpness(joint, state) * e.orientation;
   return sum;
 }
 
@@ -154,14 +189,17 @@ double rotor_energy(const HeldJoint& joint, const State& state) {
   return sum;
 }
 
-// dT = armature q' dq'.  Of an angle, q' = h.(w_a - w_b), both spins and the axis are off; of a displacement,
+// dT = armature q' dq'.  Of an angle, q' = g.(w_a - w_b), both spins and g are off, |dg| <= 8 dtheta/sin^2 of a gimbal
+// (angle_direction) and dtheta of the others; of a displacement,
 // q' = n.(v_a - v_b - w_b x d), the velocities of both points, the spin that carries n, d and n.
 double rotor_energy_error(const HeldJoint& joint, const State& state, const StateError& e) {
   const End a = first_end(joint, state), b = second_end(joint, state);
   const Vector3 d = a.position - b.position;
   const double reach = joint.anchor.norm() + (joint.to == world ? 0 : joint.to_anchor.norm());
   const double spins = a.spin.norm() + b.spin.norm();
-  const double of_angle = 2 * e.angular_velocity + spins * e.orientation;
+  const double sharp = angle_sharpness(joint, state),
+               of_angle = 2 * sharp * e.angular_velocity +
+                          (sharp == 1 ? 1 : 8 * sharp * sharp) * spins * e.orientation;
   const double of_point = e.velocity + reach * (e.angular_velocity + spins * e.orientation);
   const double of_displacement =
       2 * of_point + d.norm() * e.angular_velocity +

@@ -17,10 +17,19 @@ double joint_displacement(const HeldJoint&, Ordinal, const State&);
 double joint_displacement_rate(const HeldJoint&, Ordinal, const State&);
 
 /// An angle of a joint that leaves it free [rad], in [-pi, pi] and 0 at t = 0: of `body` against `to` about the axis,
-/// right-handed; of a universal joint the two of  R(axis, first) R(axis_2, second).  A state does not tell whole turns.
+/// right-handed; of a universal joint the two of  R(axis, first) R(axis_2, second)  and of a gimbal the three of
+/// R(axis, first) R(axis x axis_2, third) R(axis_2, second),  of which the third is how much the angle between the two
+/// axes has grown.  A state does not tell whole turns.  Of a gimbal with parallel axes: not a number.
 double joint_angle(const HeldJoint&, Ordinal, const State&);
-/// Its rate [rad/s].
+/// Its rate [rad/s]: that of the relative spin along angle_direction().
 double joint_angle_rate(const HeldJoint&, Ordinal, const State&);
+/// Along which the spin of `body` against that of `to` changes an angle, and a torque on `body` works on it; world axes.
+/// Unit but for a gimbal's first and second, 1/sin of the angle between its axes.
+Vector3 angle_direction(const HeldJoint&, Ordinal, const State&);
+
+/// 1/sin of the angle between the axes of a gimbal: what its first and its second angle make of small turns; of every other
+/// joint 1.
+double angle_sharpness(const HeldJoint&, const State&);
 
 /// Where the spring of a coordinate is without force [m, rad], and how fast that moves: the right derivative.
 double target(const JointCoordinate&, double time);

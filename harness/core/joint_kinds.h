@@ -9,7 +9,7 @@
 
 namespace cylon::core {
 
-enum class JointType { ball, hinge, distance, fixed, slider, cylindrical, planar, universal, screw };
+enum class JointType { ball, hinge, distance, fixed, slider, cylindrical, planar, universal, screw, gimbal };
 
 /// What a joint keeps of the two points that it joins; d is from the point on `to` to that on `body`.
 enum class JointPlace {
@@ -24,7 +24,8 @@ enum class JointTurn {
   freely,
   about_axis,  ///< Only about `axis`, which is fixed in both.
   never,
-  about_two_axes  ///< About `axis`, fixed in `to`, and `axis_2`, fixed in `body`; the two stay square.
+  about_two_axes,   ///< About `axis`, fixed in `to`, and `axis_2`, fixed in `body`; the two stay square.
+  about_three_axes  ///< About the same two and the line square to both: every turn, with angles that count it.
 };
 
 struct JointKind {
@@ -35,11 +36,19 @@ struct JointKind {
   bool screws = false;  ///< The one displacement is `pitch` times the one angle.
 
   constexpr bool has_axis() const {
-    return turns_about_axis() || turn == JointTurn::about_two_axes || place == JointPlace::along_axis;
+    return turns_about_axis() || turns_between_axes() || place == JointPlace::along_axis;
   }
-  constexpr bool has_second_axis() const {
-    return turn == JointTurn::about_two_axes || place == JointPlace::in_plane;
+  constexpr bool has_second_axis() const { return turns_between_axes() || place == JointPlace::in_plane; }
+  /// About an axis that `to` carries and one that `body` carries.
+  constexpr bool turns_between_axes() const {
+    return turn == JointTurn::about_two_axes || turn == JointTurn::about_three_axes;
   }
+  /// No turn is kept from being.
+  constexpr bool turns_freely() const {
+    return turn == JointTurn::freely || turn == JointTurn::about_three_axes;
+  }
+  /// The second axis is square to the first.
+  constexpr bool has_square_axes() const { return has_second_axis() && turn != JointTurn::about_three_axes; }
   /// Joins the centres of mass, or one and a point of the world; else both bodies at one point.
   constexpr bool joins_centres() const { return place == JointPlace::at_length; }
   constexpr bool has_length() const { return place == JointPlace::at_length; }
@@ -50,7 +59,12 @@ struct JointKind {
   constexpr int displacements() const {
     return place == JointPlace::in_plane ? 2 : place == JointPlace::along_axis && !screws ? 1 : 0;
   }
-  constexpr int angles() const { return turn == JointTurn::about_two_axes ? 2 : turns_about_axis() ? 1 : 0; }
+  constexpr int angles() const {
+    return turn == JointTurn::about_three_axes ? 3
+           : turn == JointTurn::about_two_axes ? 2
+           : turns_about_axis()                ? 1
+                                               : 0;
+  }
 };
 
 inline constexpr std::array joint_kinds = {
@@ -63,6 +77,7 @@ inline constexpr std::array joint_kinds = {
     JointKind{JointType::planar, "planar", JointPlace::in_plane, JointTurn::about_axis},
     JointKind{JointType::universal, "universal", JointPlace::together, JointTurn::about_two_axes},
     JointKind{JointType::screw, "screw", JointPlace::along_axis, JointTurn::about_axis, true},
+    JointKind{JointType::gimbal, "gimbal", JointPlace::together, JointTurn::about_three_axes},
 };
 static_assert([] {
   for (std::size_t i = 0; i < joint_kinds.size(); ++i)

@@ -15,7 +15,7 @@ bool of_displacements(Quantity q) {
 bool has_one(const Observable& q, const Joint& joint) {
   const JointKind& kind = kind_of(joint.type);
   const int count = of_displacements(q.quantity) ? kind.displacements() : kind.angles();
-  return count > (q.which == Ordinal::first ? 0 : 1);
+  return count > static_cast<int>(q.which);
 }
 
 template <class Use>
@@ -72,6 +72,8 @@ void joint_values(const Observable& q, const Scene& scene, const State& state, V
 
 // With s the distance from the one centre to the point on it, and from the other to the same point:
 //   |d(n.d)| <= 2 |dx| + 2 s |dtheta|
+//   of a gimbal's angles with s' = 1/sin of the angle between its axes:  |dq| <= 2 s' |dtheta|,
+//   |dq'| <= 2 s' |dw| + 8 s'^2 (|w_a| + |w_b|) |dtheta|
 //   |d(n.d)'| <= 2 |dv| + 2 s |dw| + (|v_a - v_b| + 2 s (|w_a| + |w_b|)) 2 |dtheta| + (|w_a| + |w_b|) 2 |dx|
 double joint_value_error(const Observable& q, const Scene& scene, const State& state, const StateError& e) {
   double most = 0;
@@ -81,6 +83,7 @@ double joint_value_error(const Observable& q, const Scene& scene, const State& s
     along.quantity = Quantity::joint_displacement;
     const double s = arm + (of_displacements(q.quantity) ? std::abs(value_of(joint, along, state)) : 0);
     const double spins = spin_of(state, joint.body).norm() + spin_of(state, joint.to).norm();
+    const double sharp = angle_sharpness(joint, state);
     double error = 0;
     switch (q.quantity) {
       case Quantity::joint_displacement:
@@ -96,10 +99,10 @@ double joint_value_error(const Observable& q, const Scene& scene, const State& s
         break;
       }
       case Quantity::joint_angle:
-        error = 2 * e.orientation;
+        error = 2 * sharp * e.orientation;
         break;
       default:
-        error = 2 * e.angular_velocity + 2 * spins * e.orientation;
+        error = 2 * sharp * e.angular_velocity + (sharp == 1 ? 2 : 8 * sharp * sharp) * spins * e.orientation;
     }
     most = std::max(most, error);
   });

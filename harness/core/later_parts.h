@@ -46,6 +46,7 @@ inline constexpr std::array later_parts = {
     LaterPart{"joint_targets", "targets of joints that move", has_coordinate<target_moves>},
     LaterPart{"joint_limits", "limits of joints", has_coordinate<has_limit>},
     LaterPart{"joint_friction", "dry friction in joints", has_coordinate<has_friction>},
+    LaterPart{"gimbal_joints", "gimbals", has_joint<JointType::gimbal>},
     LaterPart{"joint_armature", "rotors on joints", has_coordinate<has_rotor>},
     LaterPart{"frame_acceleration", "a frame that accelerates or turns unevenly", frame_changes},
     LaterPart{"plugin_forces", "forces of plug-ins", has_plugin_force},

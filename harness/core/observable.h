@@ -70,7 +70,7 @@ struct Observable {
   Vector3 about = Vector3::Zero();       ///< Angular momentum and apsides [m].
   std::optional<int> to;                 ///< Apsides: the other body, in place of `about`.
   std::optional<int> joint;              ///< Of joints: absent: all that have one; the worst counts.
-  Ordinal which = Ordinal::first;        ///< Of two coordinates of a joint.
+  Ordinal which = Ordinal::first;        ///< Of the coordinates of a joint.
   EventKind event = EventKind::bounce;
   int index = 1;
   EventQuantity event_quantity = EventQuantity::time;

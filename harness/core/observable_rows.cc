@@ -310,8 +310,7 @@ double joint_gap_error(const Observable&, const Scene& scene, const State&, cons
 
 std::optional<std::string> angular_joint_gap_undefined(const Observable& q, const Scene& scene) {
   for (const Joint& joint : scene.joints)
-    if (concerns(q, joint.body, joint.to) && kind_of(joint.type).turn != JointTurn::freely)
-      return std::nullopt;
+    if (concerns(q, joint.body, joint.to) && !kind_of(joint.type).turns_freely()) return std::nullopt;
   return "no joint there keeps bodies from turning against each other";
 }
 

@@ -122,8 +122,8 @@ struct PluginForce {
 /// Closed on purpose: an adapter that misses a force does not compile.
 using Force = std::variant<UniformGravity, Spring, Drag, Thrust, Drive, Attraction, Water, PluginForce>;
 
-/// Which of two free coordinates of one kind.
-enum class Ordinal { first, second };
+/// Which of the free coordinates of one kind.
+enum class Ordinal { first, second, third };
 
 /// What acts along one free coordinate q of a joint (joint_coordinates.h).  The generalised force
 ///   Q = force - stiffness (q - target(t)) - damping (q' - target'(t)) - quadratic_damping q' |q'|

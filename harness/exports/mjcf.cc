@@ -35,11 +35,13 @@ std::string text_of(const Quaternion& q) { return fmt::format("{} {} {} {}", q.w
 // MuJoCo's engine_collision_driver.c, mj_contactParam: the larger friction; impacts have no restitution.
 constexpr PairRule rule = {[](double a, double b) { return std::max(a, b); }, false};
 
-// One of the joints that MJCF makes a joint of: about or along an axis, with what acts along it.
+// One of the joints that MJCF makes a joint of: about or along an axis, and which coordinate of the scene's joint it is.
 struct Motion {
   const char* type;  // "hinge", "slide", "ball"
   Vector3 axis = Vector3::Zero();
-  const JointCoordinate* acts = nullptr;
+  core::Ordinal which = core::Ordinal::first;
+
+  bool slides() const { return std::string_view(type) == "slide"; }
 };
 
 template <class Coordinate>
@@ -48,25 +50,33 @@ const JointCoordinate* find(const std::vector<Coordinate>& coordinates, core::Or
   return found == coordinates.end() ? nullptr : &*found;
 }
 
+// What acts along it; null where nothing does.
+const JointCoordinate* acting(const Joint& joint, const Motion& m) {
+  return m.slides() ? find(joint.displacements, m.which) : find(joint.angles, m.which);
+}
+
 // From `to` to `body`; none: MJCF has no such joint.
 std::vector<Motion> motions_of(const Joint& joint) {
   using enum core::Ordinal;
-  const JointCoordinate *slide = find(joint.displacements, first), *turn = find(joint.angles, first);
   switch (joint.type) {
     case JointType::ball:
       return {{"ball"}};
     case JointType::hinge:
-      return {{"hinge", joint.axis, turn}};
+      return {{"hinge", joint.axis}};
     case JointType::slider:
-      return {{"slide", joint.axis, slide}};
+      return {{"slide", joint.axis}};
     case JointType::cylindrical:
-      return {{"slide", joint.axis, slide}, {"hinge", joint.axis, turn}};
+      return {{"slide", joint.axis}, {"hinge", joint.axis}};
     case JointType::universal:
-      return {{"hinge", joint.axis, turn}, {"hinge", *joint.axis_2, find(joint.angles, second)}};
+      return {{"hinge", joint.axis}, {"hinge", *joint.axis_2, second}};
+    case JointType::gimbal:
+      return {{"hinge", joint.axis},
+              {"hinge", joint.axis.cross(*joint.axis_2).normalized(), third},
+              {"hinge", *joint.axis_2, second}};
     case JointType::planar:
-      return {{"slide", *joint.axis_2, slide},
-              {"slide", joint.axis.cross(*joint.axis_2), find(joint.displacements, second)},
-              {"hinge", joint.axis, turn}};
+      return {{"slide", *joint.axis_2},
+              {"slide", joint.axis.cross(*joint.axis_2), second},
+              {"hinge", joint.axis}};
     default:
       return {};
   }
@@ -268,13 +278,15 @@ class Writer {
     if (motions.empty())
       throw Unsayable{"joint", name_of(scene_, joint.body), "type",
                       fmt::format("it has no {} joint", core::kind_of(joint.type).name)};
-    const core::RelativeMotion motion = motion_of(joint);
+    const core::HeldJoint held = core::held_joint(scene_, joint);
+    const core::State start = core::initial_state(scene_);
     const Quaternion back = z_up(body.orientation).conjugate();
     for (std::size_t k = 0; k < motions.size(); ++k) {
       const Motion& m = motions[k];
+      const JointCoordinate* acts = acting(joint, m);
       Element& made = add(element, "joint");
       // One name a joint of a scene, but for what an actuator must name.
-      const bool is_named = k == 0 || (m.acts && m.acts->force != 0);
+      const bool is_named = k == 0 || (acts && acts->force != 0);
       const std::string name =
           is_named ? unique(joint.name.empty() ? fmt::format("joint {}", number) : joint.name, names_) : "";
       if (is_named) set(made, "name", name);
@@ -282,27 +294,24 @@ class Writer {
       set(made, "pos", Vector3(back * (z_up(joint.point) - z_up(body.position))));
       if (std::string_view(m.type) == "ball") {
         positions_.insert(positions_.end(), {1, 0, 0, 0});
-        add_velocity(back * z_up(motion.spin));
+        add_velocity(back * z_up(spin_at(joint)));
         continue;
       }
       set(made, "axis", Vector3(back * z_up(m.axis)));
-      positions_.push_back(m.acts ? m.acts->start : 0);
-      velocities_.push_back(m.axis.dot(std::string_view(m.type) == "slide" ? motion.velocity : motion.spin));
+      positions_.push_back(acts ? acts->start : 0);
+      velocities_.push_back(m.slides() ? core::joint_displacement_rate(held, m.which, start)
+                                       : core::joint_angle_rate(held, m.which, start));
       moves_ = moves_ || velocities_.back() != 0;
-      if (m.acts) set_coordinate(joint, *m.acts, name, made);
+      if (acts) set_coordinate(joint, *acts, name, made);
     }
   }
 
-  core::RelativeMotion motion_of(const Joint& joint) const {
-    const auto velocity = [&](int body) -> Vector3 {
-      if (body == core::world) return Vector3::Zero();
-      const core::BodyState& s = scene_.bodies[at(body)].initial;
-      return s.velocity + s.angular_velocity.cross(joint.point - s.position);
-    };
+  // Of `body` against `to`.
+  Vector3 spin_at(const Joint& joint) const {
     const auto spin = [&](int body) -> Vector3 {
       return body == core::world ? Vector3::Zero() : scene_.bodies[at(body)].initial.angular_velocity;
     };
-    return {velocity(joint.body) - velocity(joint.to), spin(joint.body) - spin(joint.to)};
+    return spin(joint.body) - spin(joint.to);
   }
 
   // Q = force - stiffness (q - target) - damping q', limits and dry friction; a constant force is an actuator's bias.

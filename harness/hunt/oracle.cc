@@ -101,7 +101,7 @@ Reason no_joints(const Scene& scene) { return scene.joints.empty() ? Reason("no 
 
 Reason no_axes(const Scene& scene) {
   for (const core::Joint& joint : scene.joints)
-    if (core::kind_of(joint.type).turn != core::JointTurn::freely) return {};
+    if (!core::kind_of(joint.type).turns_freely()) return {};
   return "no joint keeps an axis";
 }
 

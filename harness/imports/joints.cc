@@ -59,7 +59,12 @@ constexpr auto one_line = [](const Freedoms& f) { return parallel(f[0], f[1]); }
 constexpr auto one_plane = [](const Freedoms& f) {
   return at_right_angles(f[0], f[1]) && at_right_angles(f[0], f[2]) && at_right_angles(f[1], f[2]);
 };
-constexpr auto every_turn = [](const Freedoms& f) { return leaves_every_turn(f); };
+constexpr auto every_turn = [](const Freedoms& f) {
+  return leaves_every_turn(f) && std::ranges::all_of(f, [](const Freedom& one) { return one.armature == 0; });
+};
+constexpr auto gimbal_axes = [](const Freedoms& f) {
+  return at_right_angles(f[0], f[1]) && at_right_angles(f[1], f[2]) && !parallel(f[0], f[2]);
+};
 constexpr auto every_motion = [](const Freedoms& f) {
   const std::span all(f);
   return leaves_every_place(all.first(3)) && (f[3].kind == "ball" || leaves_every_turn(all.last(3)));
@@ -76,6 +81,7 @@ constexpr std::array rows = {
     Row{"turn turn", JointType::universal, 0, 1, square_axes},
     Row{"slide slide turn", JointType::planar, 2, 0, one_plane},
     Row{"turn turn turn", JointType::ball, -1, -1, every_turn},
+    Row{"turn turn turn", JointType::gimbal, 0, 2, gimbal_axes},
     Row{"slide slide slide ball", std::nullopt, -1, -1, every_motion},
     Row{"slide slide slide turn turn turn", std::nullopt, -1, -1, every_motion},
 };
@@ -100,17 +106,23 @@ void add_coordinate(const Freedom& f, core::Ordinal which, const core::Vector3& 
 }
 
 void add_coordinates(const Joint& from, core::Joint& joint) {
-  const core::Vector3 second = joint.axis_2.value_or(core::Vector3::Zero());
-  const core::Vector3 slides[] = {joint.type == JointType::planar ? second : joint.axis,
-                                  joint.axis.cross(second)};
-  const core::Vector3 turns[] = {joint.axis, second};
-  int slide = 0, turn = 0;
-  constexpr core::Ordinal ordinals[] = {core::Ordinal::first, core::Ordinal::second};
+  const core::Vector3 axis_2 = joint.axis_2.value_or(core::Vector3::Zero()),
+                      across = joint.axis.cross(axis_2);
+  const core::Vector3 slides[] = {joint.type == JointType::planar ? axis_2 : joint.axis, across};
+  using enum core::Ordinal;
+  const core::Vector3 turns[] = {joint.axis, axis_2, across};
+  // In the order from `to` to `body`: of a gimbal the turn between its axes comes second.
+  const std::vector<core::Ordinal> order =
+      joint.type == JointType::gimbal ? std::vector{first, third, second} : std::vector{first, second};
+  std::size_t slide = 0, turn = 0;
   for (const Freedom& f : from.freedoms) {
-    if (f.kind == "slide")
-      add_coordinate(f, ordinals[slide], slides[slide], joint.displacements), ++slide;
-    else if (f.kind != "ball")
-      add_coordinate(f, ordinals[turn], turns[turn], joint.angles), ++turn;
+    if (f.kind == "slide") {
+      add_coordinate(f, slide == 0 ? first : second, slides[slide], joint.displacements);
+      ++slide;
+    } else if (f.kind != "ball") {
+      const core::Ordinal which = order[turn++];
+      add_coordinate(f, which, turns[static_cast<std::size_t>(which)], joint.angles);
+    }
   }
 }
 

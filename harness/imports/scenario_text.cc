@@ -73,9 +73,7 @@ tolerance  = {{ relative = 1e-4, reason = "convention: a ten-thousandth" }}
   return text;
 }
 
-bool keeps_a_direction(const core::Joint& joint) {
-  return core::kind_of(joint.type).turn != core::JointTurn::freely;
-}
+bool keeps_a_direction(const core::Joint& joint) { return !core::kind_of(joint.type).turns_freely(); }
 
 std::string claims_of(const core::Scene& scene) {
   std::string text;

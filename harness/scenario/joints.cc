@@ -89,13 +89,13 @@ void check_coordinates(const Table& t, const std::vector<Coordinate>& coordinate
   for (std::size_t i = 0; i < tables.size(); ++i) {
     const Table& table = tables[i];
     const core::JointCoordinate& c = coordinates[i];
-    if (c.which == core::Ordinal::second && count < 2)
-      table.fail("which", fmt::format("which = \"second\", but a {} joint has one {}", t.text("type"),
-                                      core::Element<Coordinate>::name));
+    const std::string_view which = core::Words<core::Ordinal>::list[static_cast<std::size_t>(c.which)];
+    if (static_cast<int>(c.which) >= count)
+      table.fail("which", fmt::format("which = \"{}\", but a {} joint has {} {}{}", which, t.text("type"),
+                                      count == 1 ? "one" : "two", core::Element<Coordinate>::name,
+                                      count == 1 ? "" : "s"));
     if (!seen.insert(c.which).second)
-      table.fail("which", fmt::format("the {} {} is stated twice",
-                                      core::Words<core::Ordinal>::list[static_cast<std::size_t>(c.which)],
-                                      core::Element<Coordinate>::name));
+      table.fail("which", fmt::format("the {} {} is stated twice", which, core::Element<Coordinate>::name));
     const double lower = c.lower.value_or(-HUGE_VAL), upper = c.upper.value_or(HUGE_VAL);
     if (!(lower < upper)) table.fail("upper", fmt::format("upper = {}: must be > lower = {}", upper, lower));
     if (!(lower <= c.start && c.start <= upper))
@@ -128,10 +128,11 @@ core::Joint read_joint(const Table& t, Draft& draft) {
     Vector3& second = *joint.axis_2;
     if (!(second.cwiseAbs().maxCoeff() > 0)) t.fail("axis_2", "axis_2 = [0, 0, 0] has no direction");
     make_unit(second);
-    if (std::abs(second.dot(joint.axis)) > typed)
-      t.fail("axis_2", fmt::format("axis_2 = {} is not square to axis = {}", written(t.vector("axis_2")),
-                                   written(t.vector("axis"))));
-    second = (second - second.dot(joint.axis) * joint.axis).normalized();
+    const bool square = kind.has_square_axes();
+    if (square ? std::abs(second.dot(joint.axis)) > typed : second.cross(joint.axis).norm() < typed)
+      t.fail("axis_2", fmt::format("axis_2 = {} is {} to axis = {}", written(t.vector("axis_2")),
+                                   square ? "not square" : "parallel", written(t.vector("axis"))));
+    if (square) second = (second - second.dot(joint.axis) * joint.axis).normalized();
   }
   if (kind.screws && joint.pitch == 0) t.fail("pitch", "pitch = 0: a screw without pitch is a hinge");
   check_coordinates(t, joint.displacements, kind.displacements());

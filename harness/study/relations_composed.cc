@@ -327,12 +327,16 @@ void look_from_other_body(Joint& j) {
   const core::JointKind& kind = core::kind_of(j.type);
   if (kind.place == core::JointPlace::in_plane) return;
   std::swap(j.body, j.to);
-  core::for_each_coordinate(j, [](core::JointCoordinate& c) { core::reverse(c); });
-  if (kind.turn != core::JointTurn::about_two_axes) return;
-  // (R(h, a) R(u, b))^T = R(u, -b) R(h, -a)
+  const auto between_axes = [](const core::JointAngle& c) { return c.which == core::Ordinal::third; };
+  for (core::JointDisplacement& c : j.displacements) core::reverse(c);
+  for (core::JointAngle& c : j.angles)
+    if (!between_axes(c)) core::reverse(c);
+  if (!kind.turns_between_axes()) return;
+  // (R(h, a) R(u, b))^T = R(u, -b) R(h, -a);  the angle between h and u is that between u and h.
   std::swap(j.axis, *j.axis_2);
   for (core::JointAngle& c : j.angles)
-    c.which = c.which == core::Ordinal::first ? core::Ordinal::second : core::Ordinal::first;
+    if (!between_axes(c))
+      c.which = c.which == core::Ordinal::first ? core::Ordinal::second : core::Ordinal::first;
 }
 
 double other_points(const Subject& s, const Runner& run) {

@@ -91,11 +91,12 @@ class Rule {
   }
 
   // A mirror keeps axes as vectors, about which turns then go the other way; so does what the product of two axes points
-  // along.
+  // along, so that the angle between two axes stays.
   void mirror(core::Joint& joint) const {
     if (c_.turn.determinant() > 0) return;
     if (core::kind_of(joint.type).screws) joint.pitch = -joint.pitch;
-    for (core::JointAngle& angle : joint.angles) core::reverse(angle);
+    for (core::JointAngle& angle : joint.angles)
+      if (angle.which != core::Ordinal::third) core::reverse(angle);
     for (core::JointDisplacement& displacement : joint.displacements)
       if (displacement.which == core::Ordinal::second) core::reverse(displacement);
   }

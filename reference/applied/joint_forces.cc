@@ -74,7 +74,7 @@ void JointForces::add(double t, const core::State& state, std::vector<Wrench>& w
       double& angle = acting.angles[k];
       angle += std::remainder(core::joint_angle(joint, c.which, state) - angle, 2 * std::numbers::pi);
       const Vector3 torque = law(c, t, c.start + angle, core::joint_angle_rate(joint, c.which, state)) *
-                             (c.which == Ordinal::first ? theirs * joint.to_axis : ours * joint.axis_2);
+                             core::angle_direction(joint, c.which, state);
       twist(wrenches, joint.body, torque);
       twist(wrenches, joint.to, -torque);
     }

@@ -3,6 +3,7 @@
 // A displacement is a function of the places.  An angle that a spring pulls at is a state of its own, with q' as its
 // rate, and so counts whole turns.  A target that swings, A cos(f t + phase), is two states:  x' = -f y, y' = f x.
 #include "harness/core/joint_coordinates.h"
+#include "reference/certified/angle.h"
 #include "reference/certified/builder.h"
 
 namespace cylon::certified {
@@ -90,7 +91,8 @@ struct JointForces {
 
   void add(const core::Joint& joint, const core::JointAngle& c) {
     const End body = end(joint.body), to = end(joint.to);
-    const Vector n = c.which == core::Ordinal::first ? carried(to, joint.axis) : carried(body, *joint.axis_2);
+    const Axes axes{.h = carried(to, joint.axis), .u = carried(body, joint.axis_2.value_or(joint.axis))};
+    const Vector n = angle_direction(core::kind_of(joint.type), c.which, axes);
     const Expr rate = dot(n, spin(body) - spin(to));
     const auto angle = [&] {
       const Expr state = new_state(b.number(c.start));

@@ -1,5 +1,6 @@
 // Joints as equations for the accelerations, d^2/dt^2 (what the joint keeps) = 0.
 #include "harness/core/joint_coordinates.h"
+#include "reference/certified/angle.h"
 #include "reference/certified/builder.h"
 
 namespace cylon::certified {
@@ -105,12 +106,19 @@ struct Rows {
     rows.back().rotor = c.armature;
   }
 
-  // n . (R_a w_a' - R_b w_b') + n' . (R_a w_a - R_b w_b),  n' = w x n of the end that carries n
+  // g . (R_a w_a' - R_b w_b') + g' . (R_a w_a - R_b w_b)
   void rotor(const core::Joint& joint, const core::JointAngle& c) {
     const End a = end(joint.body, 1), to = end(joint.to, -1);
-    const End& carrier = c.which == core::Ordinal::first ? to : a;
-    const Vector at_start = b.vector(c.which == core::Ordinal::first ? joint.axis : *joint.axis_2);
-    const Vector n = carrier.at ? carrier.at->rotation * fixed_in(carrier, at_start) : at_start;
+    const auto now_of = [&](const End& e, const core::Vector3& axis) {
+      return e.at ? e.at->rotation * fixed_in(e, b.vector(axis)) : b.vector(axis);
+    };
+    const auto rate_of = [&](const End& e, const Vector& axis) {
+      return moves(e) ? cross(e.at->rotation * e.at->spin, axis) : b.zero();
+    };
+    Axes axes{.h = now_of(to, joint.axis), .u = now_of(a, joint.axis_2.value_or(joint.axis))};
+    axes.h_rate = rate_of(to, axes.h), axes.u_rate = rate_of(a, axes.u);
+    const core::JointKind& kind = core::kind_of(joint.type);
+    const Vector n = angle_direction(kind, c.which, axes);
     Row row{{}, b.exact(0), c.armature};
     Vector spin = b.zero();
     for (const End& e : {a, to}) {
@@ -119,7 +127,7 @@ struct Rows {
       const Vector own = e.at->rotation * e.at->spin;
       spin = e.sign > 0 ? spin + own : spin - own;
     }
-    if (moves(carrier)) row.rest = dot(cross(carrier.at->rotation * carrier.at->spin, n), spin);
+    row.rest = dot(angle_direction_rate(kind, c.which, axes), spin);
     rows.push_back(row);
   }
 
@@ -207,6 +215,7 @@ struct Rows {
   void add_turn(const core::Joint& joint, core::JointTurn turn) {
     switch (turn) {
       case core::JointTurn::freely:
+      case core::JointTurn::about_three_axes:
         return;
       case core::JointTurn::about_axis:
         return about_axis(joint);

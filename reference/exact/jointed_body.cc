@@ -164,7 +164,7 @@ void check_body(const core::Scene& scene, int body) {
     ++joints;
     if (joint.to != core::world) refuse(name, "the joint of " + of + " does not end on the world");
     const core::JointKind& kind = core::kind_of(joint.type);
-    if (kind.displacements() + kind.angles() == 0 || kind.turn == core::JointTurn::about_two_axes)
+    if (kind.displacements() + kind.angles() == 0 || kind.turns_between_axes())
       refuse(name, "the joint of " + of + " is of kind " + std::string(kind.name));
     core::for_each_coordinate(joint, [&](const core::JointCoordinate& law) { check_coordinate(of, law); });
   }

@@ -3,6 +3,7 @@
 #include "harness/imports/mjcf/mjcf.h"
 
 #include <fmt/format.h>
+#include <Eigen/QR>
 
 #include <cmath>
 
@@ -11,6 +12,7 @@ namespace {
 
 using foreign::Freedom;
 using foreign::Joint;
+using foreign::Matrix3;
 using foreign::Vector3;
 
 // The nearest body up the tree that is not just a frame of the world; MuJoCo takes what hangs on the world without a
@@ -111,6 +113,23 @@ void add_armature(const Compiled& m, int joint, bool about_world, Joint& made, f
   }
 }
 
+struct Line {
+  Vector3 point, direction;  // unit
+};
+constexpr double meet = 1e-9;  // [m]
+
+// With the least sum of squared distances from the lines, and of those the nearest to the last line's point.
+Vector3 nearest_point(const std::vector<Line>& lines) {
+  Matrix3 across = Matrix3::Zero();
+  Vector3 sum = Vector3::Zero();
+  const Vector3& last = lines.back().point;
+  for (const Line& line : lines) {
+    const Matrix3 square = Matrix3::Identity() - line.direction * line.direction.transpose();
+    across += square, sum += square * (line.point - last);
+  }
+  return last + across.completeOrthogonalDecomposition().solve(sum);
+}
+
 void add_equality(const Compiled& m, int i, foreign::Model& model) {
   const auto lose = [&](const char* detail) {
     model.losses.push_back({"equality", m.place("equality", i), detail});
@@ -176,6 +195,7 @@ void add_joints(const Compiled& m, foreign::Model& model) {
     joint.may_touch = m.disabled("filterparent");
     joint.point = m.start_vector("xipos", body);
     bool is_free = false;
+    std::vector<Line> hinges;
     for (int j = first; j < first + count; ++j) {
       const auto kind = static_cast<MjJoint>(m.integer("jnt_type", j));
       if (j == first)
@@ -192,14 +212,19 @@ void add_joints(const Compiled& m, foreign::Model& model) {
         add_ball_joint(m, j, joint.to, model);
       } else {
         joint.freedoms.push_back(freedom_of(m, j, drives[static_cast<std::size_t>(j)], model));
-        if (j > first && kind == MjJoint::hinge && joint.freedoms.front().kind == "turn" &&
-            (m.start_vector("xanchor", j) - joint.point).norm() > 1e-9)
-          model.losses.push_back(
-              {"joint_kind", m.place("joint", j), "hinges of one body about axes that do not meet"});
-        if (kind == MjJoint::hinge || j == first) joint.point = m.start_vector("xanchor", j);
+        if (kind == MjJoint::hinge)
+          hinges.push_back({m.start_vector("xanchor", j), joint.freedoms.back().axis});
+        else if (j == first)
+          joint.point = m.start_vector("xanchor", j);
       }
       add_armature(m, j, count == 1 && joint.to < 0, joint, model);
     }
+    if (!hinges.empty()) joint.point = nearest_point(hinges);
+    for (const Line& line : hinges)
+      if (line.direction.cross(joint.point - line.point).norm() > meet) {
+        model.losses.push_back({"joint_kind", joint.place, "hinges of one body about axes that do not meet"});
+        break;
+      }
     if (!is_free) model.joints.push_back(joint);
   }
   if (m.disabled("equality") || m.disabled("constraint")) return;

@@ -336,8 +336,9 @@ BulletKind bullet_kind(const core::Scene& scene) {
   });
   // All four stages take the forces, the impulses and the orientation of a free base from the step's
   // beginning, and the orientation of a ball joint loses the fourth order.
-  const bool balls =
-      std::ranges::any_of(scene.joints, [](const core::Joint& j) { return j.type == core::JointType::ball; });
+  const bool balls = std::ranges::any_of(scene.joints, [](const core::Joint& j) {
+    return core::kind_of(j.type).turns_freely() && !core::kind_of(j.type).joins_centres();
+  });
   kind.rk4_order = !hung || kind.touches || kind.applied || acted_on ? 1 : balls ? 2 : 4;
   return kind;
 }

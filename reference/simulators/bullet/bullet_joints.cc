@@ -247,8 +247,12 @@ Reason unsupported(const core::Scene& scene, const core::Joint& joint, bool ahea
   const auto still = [&](int i) { return i == core::world || body(i).locked; };
   const std::string of =
       fmt::format("the {} joint of '{}'", core::kind_of(joint.type).name, body(joint.body).name);
-  for (const core::JointAngle& c : joint.angles)
+  for (const core::JointAngle& c : joint.angles) {
+    if (joint.type == JointType::gimbal && resists(c))
+      return fmt::format("This adapter maps no stops and no friction of {}, which Bullet holds as a ball.",
+                         of);
     if (Reason reason = against_stops(c, of)) return reason;
+  }
   if (!still(joint.body) && !still(joint.to)) return against_two_movers(joint, of, ahead);
   if (joint.type != JointType::planar || still(joint.to)) return {};
   for (const core::JointDisplacement& c : joint.displacements)
@@ -269,6 +273,7 @@ std::unique_ptr<btTypedConstraint> make_joint(const core::Joint& joint, btRigidB
   const bool both = !body.isStaticObject() && !other.isStaticObject();
   switch (joint.type) {
     case JointType::ball:
+    case JointType::gimbal:  // of which the angles are counted
       if (to) return std::make_unique<btPoint2PointConstraint>(body, *to, local(body), local(*to));
       return std::make_unique<btPoint2PointConstraint>(body, local(body));
     case JointType::hinge:

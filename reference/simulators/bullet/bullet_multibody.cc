@@ -152,6 +152,7 @@ class TreeBody {
     const btVector3 moments = to_bullet(placing.principal.moments);
     switch (joint.type) {
       case core::JointType::ball:
+      case core::JointType::gimbal:  // of which the angles are counted
         multibody_.setupSpherical(link(i), mass, moments, parent_link, turn, to_point, to_centre);
         return;
       case core::JointType::hinge:
@@ -206,7 +207,7 @@ class TreeBody {
       multibody_.setJointVelMultiDof(link(i), rates);
       return;
     }
-    const btScalar rates[] = {joint.type == core::JointType::ball ? spin.x() : spin.dot(axis), spin.y(),
+    const btScalar rates[] = {core::kind_of(joint.type).turns_freely() ? spin.x() : spin.dot(axis), spin.y(),
                               spin.z()};
     multibody_.setJointVelMultiDof(link(i), rates);
   }
@@ -270,6 +271,7 @@ std::unique_ptr<btMultiBodyConstraint> closing(const core::Joint& joint, btMulti
   btRigidBody* const world = nullptr;
   switch (joint.type) {
     case core::JointType::ball:
+    case core::JointType::gimbal:
       if (b) return std::make_unique<btMultiBodyPoint2Point>(&body, a.link, &body, b->link, in_a, in_b);
       return std::make_unique<btMultiBodyPoint2Point>(&body, a.link, world, in_a, in_b);
     case core::JointType::fixed:

@@ -111,7 +111,8 @@ std::optional<std::string> untreelike(const core::Scene& scene, const core::Join
     return "btMultiBody has no hinge constraint that closes a loop (BulletDynamics/Featherstone/, ball, "
            "fixed and "
            "slider), and this adapter makes none of two balls.";
-  if (closes && type != JointType::ball && type != JointType::fixed)
+  const bool is_ball = type == JointType::ball || type == JointType::gimbal;
+  if (closes && !is_ball && type != JointType::fixed)
     return fmt::format(
         "This adapter closes loops of a btMultiBody by balls and fixed joints, and {} closes one.", of);
   if (type == JointType::cylindrical || type == JointType::universal)
@@ -119,7 +120,7 @@ std::optional<std::string> untreelike(const core::Scene& scene, const core::Join
         "btMultiBody has no joint of these two freedoms (BulletDynamics/Featherstone/btMultiBodyLink.h, "
         "eFeatherstoneJointType), and a link without mass between two is singular: {}.",
         of);
-  if (type == JointType::planar && resisted(joint))
+  if ((type == JointType::planar || type == JointType::gimbal) && resisted(joint))
     return fmt::format(
         "btMultiBody's limits and motors are of joints with one freedom "
         "(BulletDynamics/Featherstone/btMultiBodyJointLimitConstraint.h); {} has some.",

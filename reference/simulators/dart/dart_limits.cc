@@ -28,7 +28,7 @@ const core::Body& body(const Scene& scene, int i) { return scene.bodies[static_c
 
 // What hangs a body from another, and what closes a loop; a kind that stands in neither is not known here.
 bool hangs(JointType type) { return type != JointType::cylindrical && type != JointType::distance; }
-bool closes(JointType type) { return type == JointType::ball || type == JointType::fixed; }
+bool closes(JointType type) { return core::kind_of(type).turns_freely() || type == JointType::fixed; }
 
 // Stops and dry friction.
 Reason against_coordinates(const Scene& scene, const core::Joint& joint) {

@@ -27,6 +27,7 @@ core::Vector3 velocity_at(const core::BodyState& body, const core::Vector3& poin
 Hang hang_of(const core::Joint& joint) {
   switch (joint.type) {
     case JointType::ball:
+    case JointType::gimbal:  // of which the angles are counted
       return Hang::by_ball;
     case JointType::hinge:
       return Hang::by_hinge;
@@ -115,7 +116,7 @@ std::vector<dart_border::Loop> dart_loops(const Scene& scene, const applied::For
   for (const std::size_t j : forest.loops) {
     const core::Joint& joint = scene.joints[j];
     dart_border::Loop loop;
-    loop.turns = joint.type == JointType::ball;
+    loop.turns = core::kind_of(joint.type).turns_freely();
     loop.body = moves(joint.body) ? joint.body : joint.to;
     loop.to = moves(joint.body) && moves(joint.to) ? joint.to : -1;
     loop.point = to_dart(joint.point);

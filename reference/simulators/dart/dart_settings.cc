@@ -157,8 +157,9 @@ core::Engine dart_engine(std::string version) {
                       {{scheme, 1, "linear momentum"}},
                       dart_options().offered()};
   engine.knows = {"collision_filters",  "frame_acceleration", "body_gravity",     "slider_joints",
-                  "cylindrical_joints", "planar_joints",      "universal_joints", "screw_joints",
-                  "joint_forces",       "joint_targets",      "joint_limits",     "joint_friction"};
+                  "cylindrical_joints", "planar_joints",      "universal_joints", "gimbal_joints",
+                  "screw_joints",       "joint_forces",       "joint_targets",    "joint_limits",
+                  "joint_friction"};
   return engine;
 }
 

@@ -3,6 +3,7 @@
 #include "harness/core/held_joint.h"
 #include "reference/simulators/in_house/in_house_real.h"
 
+#include <cmath>
 #include <utility>
 
 namespace cylon::simulators {
@@ -38,15 +39,19 @@ Joint::Turn turn_of(core::JointTurn turn) {
       return Joint::Turn::never;
     case core::JointTurn::about_two_axes:
       return Joint::Turn::about_two_axes;
+    case core::JointTurn::about_three_axes:
+      return Joint::Turn::about_three_axes;
   }
   return Joint::Turn::freely;
 }
 
-// Two axes that stay square: the first is carried by `to`, the second by `body`.
+// Of two axes the first is carried by `to`, the second by `body`.  A gimbal on whose angles nothing acts is a ball, and has no
+// turn that it cannot pass.
 Joint joint_of(const HeldJoint& held) {
   const core::JointKind& kind = core::kind_of(held.type);
-  const bool two = kind.turn == core::JointTurn::about_two_axes;
-  return {.type = {place_of(kind.place), turn_of(kind.turn), kind.screws},
+  const bool two = kind.turns_between_axes();
+  const bool counts = !kind.turns_freely() || !held.angles.empty();
+  return {.type = {place_of(kind.place), counts ? turn_of(kind.turn) : Joint::Turn::freely, kind.screws},
           .body = held.body,
           .anchor = real(held.anchor),
           .to = held.to,
@@ -77,15 +82,31 @@ Coordinate coordinate_of(const HeldJoint& held, const core::JointDisplacement& d
   return q;
 }
 
-// Counted from t = 0.  The second angle of a universal joint is about the axis that `body` carries.
+// Counted from t = 0.  The second angle of two or three is about the axis that `body` carries, the third of a gimbal is that
+// between the axes.
 Coordinate coordinate_of(const HeldJoint& held, const core::JointAngle& angle) {
-  Coordinate q = between(held, Coordinate::Kind::angle, angle.start);
-  const bool two = core::kind_of(held.type).turn == core::JointTurn::about_two_axes;
+  const core::JointKind& kind = core::kind_of(held.type);
+  const bool three = kind.turn == core::JointTurn::about_three_axes;
+  Coordinate q = between(held, three ? Coordinate::Kind::azimuth : Coordinate::Kind::angle, angle.start);
+  const auto square_part = [](const core::Vector3& v, const core::Vector3& axis) {
+    return core::Vector3((v - axis.dot(v) * axis).normalized());
+  };
   q.on_body = angle.which == Ordinal::second;
   if (q.on_body) {
-    q.axis = real(held.axis_2), q.zero = real(held.axis), q.mark = real(held.to_axis);
+    q.axis = real(held.axis_2), q.mark = real(held.to_axis);
+    q.zero = real(three ? square_part(held.axis, held.axis_2) : held.axis);
     return q;
   }
+  if (three) {
+    q.axis = real(held.to_axis), q.mark = real(held.axis_2);
+    q.zero = real(square_part(held.to_axis_2, held.to_axis));
+    if (angle.which == Ordinal::first) return q;
+    q.kind = Coordinate::Kind::inclination;
+    q.zero_inclination =
+        std::atan2(q.axis.cross(real(held.to_axis_2)).norm(), q.axis.dot(real(held.to_axis_2)));
+    return q;
+  }
+  const bool two = kind.turns_between_axes();
   const core::Vector3 zero = two ? held.to_axis_2 : core::Vector3(held.to_axis.unitOrthogonal());
   q.axis = real(held.to_axis), q.zero = real(zero);
   q.mark = real(core::Vector3(held.turn.conjugate() * zero));

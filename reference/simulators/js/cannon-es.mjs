@@ -198,7 +198,7 @@ class World {
       hinge: () => new C.HingeConstraint(a, b, {pivotA: pivot(a), pivotB: pivot(b), axisA: axis(a), axisB: axis(b), maxForce}),
       fixed: () => new C.LockConstraint(a, b, {maxForce}),
       distance: () => new C.DistanceConstraint(a, b, joint.length, maxForce),
-    }[joint.type];
+    }[kept(joint)];
     if (!make) throw new Unsupported(`cannon-es's adapter knows no joint '${joint.type}'.`);
     const made = make();
     if (values['joint-step'] === 'dt') for (const equation of made.equations) equation.setSpookParams(1e7, 4, this.dt);

@@ -2,7 +2,7 @@
 // Knows nothing of the protocol.
 import fs from 'node:fs';
 import * as C from 'crashcat';
-import {frame_of, held_coordinate} from './joints.mjs';
+import {frame_of, held_coordinate, kept} from './joints.mjs';
 import {Unsupported} from './scene.mjs';
 import {across, scale} from './vectors.mjs';
 
@@ -240,7 +240,7 @@ class World {
         {...ends, point1: at, point2: at, axisX1: [1, 0, 0], axisX2: [1, 0, 0], axisY1: [0, 1, 0], axisY2: [0, 1, 0]}),
       distance: () => C.distanceConstraint.create(this.world, {
         ...ends, pointA: [...first.position], pointB: second ? [...second.position] : at, minDistance: joint.length, maxDistance: joint.length}),
-    }[joint.type];
+    }[kept(joint)];
     make();
   }
 

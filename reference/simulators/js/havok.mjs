@@ -4,7 +4,7 @@ import fs from 'node:fs';
 import {createRequire} from 'node:module';
 import init from '@babylonjs/havok';
 import {has_forces} from './forces.mjs';
-import {frame_of, held_coordinate} from './joints.mjs';
+import {frame_of, held_coordinate, kept} from './joints.mjs';
 import {Unsupported} from './scene.mjs';
 import {LeftOut, torque_option} from './torque.mjs';
 import {conjugate, dot, norm, rotate, scale, sub, turn_of_y} from './vectors.mjs';
@@ -304,7 +304,7 @@ class World {
       ball: linear, hinge: [...linear, A.ANGULAR_Y, A.ANGULAR_Z], fixed: [...linear, ...angular],
       slider: [A.LINEAR_Y, A.LINEAR_Z, ...angular], cylindrical: [A.LINEAR_Y, A.LINEAR_Z, A.ANGULAR_Y, A.ANGULAR_Z],
       planar: [A.LINEAR_X, A.ANGULAR_Y, A.ANGULAR_Z], universal: [...linear, A.ANGULAR_Z],
-    }[joint.type];
+    }[kept(joint)];
     const made = got(H, H.HP_Constraint_Create());
     this.constraints.push(made);
     const axes = joint.axis ? frame_of(joint) : [[1, 0, 0], [0, 1, 0]];

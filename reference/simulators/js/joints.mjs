@@ -6,20 +6,25 @@ import {across, add, conjugate, cross, dot, multiply, norm, rotate, scale, sub} 
 /** Displacements and angles that a kind leaves free and on which something may act; a ball's turns are none. */
 const free = {
   slider: {displacement: 1, angle: 0}, cylindrical: {displacement: 1, angle: 1}, planar: {displacement: 2, angle: 1},
-  universal: {displacement: 0, angle: 2}, screw: {displacement: 1, angle: 1}, hinge: {displacement: 0, angle: 1},
+  universal: {displacement: 0, angle: 2}, gimbal: {displacement: 0, angle: 3}, screw: {displacement: 1, angle: 1}, hinge: {displacement: 0, angle: 1},
 };
 
 export const has_limit = (c) => c.lower !== undefined || c.upper !== undefined;
 export const has_force = (c) => c.force !== 0 || c.stiffness !== 0 || c.damping !== 0 || c.quadratic_damping !== 0;
 
-/** {slides, second, acts} of each coordinate that a joint leaves free, displacements first; `acts` is the scene's, or
+/** What a joint keeps from moving: a gimbal's angles are counted, and it turns as a ball does. */
+export const kept = ({type}) => (type === 'gimbal' ? 'ball' : type);
+/** Kinds that turn about an axis of `to` and one of `body`. */
+export const between_axes = ['universal', 'gimbal'];
+export const ordinals = ['first', 'second', 'third'];
+
+/** {slides, which: 0, 1, 2, acts} of each coordinate that a joint leaves free, displacements first; `acts` is the scene's, or
  *  undefined where nothing acts. */
 export function coordinates(joint) {
   const list = [];
   for (const kind of ['displacement', 'angle'])
     for (let k = 0; k < (free[joint.type]?.[kind] ?? 0); ++k)
-      list.push({slides: kind === 'displacement', second: k === 1,
-        acts: (joint[kind] ?? []).find((c) => (c.which === 'second') === (k === 1))});
+      list.push({slides: kind === 'displacement', which: k, acts: (joint[kind] ?? []).find((c) => c.which === ordinals[k])});
   return list;
 }
 export const acting = (joint) => coordinates(joint).filter(({acts}) => acts);
@@ -37,9 +42,10 @@ export function held_coordinate(joint, other_way = false) {
   return {...range(acts), limited: has_limit(acts), restitution: acts.restitution, friction: acts.friction};
 }
 
-/** Right-handed axes of a joint: x the stated axis; y its second, or any across it. */
+/** Right-handed axes of a joint: x the stated axis; y its second, of a gimbal the part square to the first, or any across it. */
 export function frame_of(joint) {
-  const unit = (v) => scale(1 / norm(v), v), x = unit(joint.axis), y = joint.axis_2 ? unit(joint.axis_2) : across(x);
+  const unit = (v) => scale(1 / norm(v), v), x = unit(joint.axis), square = (v) => sub(v, scale(dot(v, x), x));
+  const y = joint.axis_2 ? unit(joint.type === 'gimbal' ? square(joint.axis_2) : joint.axis_2) : across(x);
   return [x, y, cross(x, y)];
 }
 
@@ -53,7 +59,7 @@ export function reversed(c) {
 /** The words of the protocol for what an engine has: {types, limits, friction: kinds of joints, rotors: whether it has them,
  *  counts_turns: of limits, why: reasons by kind}. */
 export const known_joints = ({types, limits, friction, rotors}) => [
-  ...['slider', 'cylindrical', 'planar', 'universal', 'screw'].filter((type) => types.includes(type)).map((type) => `${type}_joints`),
+  ...['slider', 'cylindrical', 'planar', 'universal', 'screw', 'gimbal'].filter((type) => types.includes(kept({type}))).map((type) => `${type}_joints`),
   'joint_forces', 'joint_targets', ...(limits.length ? ['joint_limits'] : []), ...(friction.length ? ['joint_friction'] : []), ...(rotors ? ['joint_armature'] : [])];
 
 /** Throws Unsupported where a joint has what the engine has not. */
@@ -61,7 +67,7 @@ export function require_joints({title, joints: can}, scene) {
   const moves = (i) => i >= 0 && !scene.bodies[i].locked;
   for (const joint of scene.joints) {
     if (!moves(joint.body) && !moves(joint.to)) continue;  // it holds nothing
-    if (!can.types.includes(joint.type)) throw new Unsupported(can.why?.[joint.type] ?? `This adapter gives ${title} no ${joint.type} joint.`);
+    if (!can.types.includes(kept(joint))) throw new Unsupported(can.why?.[joint.type] ?? `This adapter gives ${title} no ${joint.type} joint.`);
     const of = `The ${joint.type} joint of '${scene.bodies[joint.body].name}'`;
     for (const {slides, acts} of acting(joint)) {
       if (has_limit(acts) && acts.restitution > 0)  // none of them has it
@@ -101,33 +107,42 @@ class Held {
   ends(states) { return [this.end(states, this.joint.body, this.anchor), this.end(states, this.joint.to, this.to_anchor)]; }
 
   /** The direction of a displacement, axes of `to`. */
-  direction(second) {
+  direction(which) {
     if (!this.second_axis) return this.to_axis;
-    return second ? cross(this.to_axis, this.to_axis_2) : this.to_axis_2;
+    return which === 1 ? cross(this.to_axis, this.to_axis_2) : this.to_axis_2;
   }
 
   // q = n.d,  q' = n.(d' - w_to x d),  n fixed in `to`
-  displacement([a, b], second) {
-    const d = sub(a.position, b.position), n = rotate(b.orientation, this.direction(second));
+  displacement([a, b], which) {
+    const d = sub(a.position, b.position), n = rotate(b.orientation, this.direction(which));
     return {value: dot(d, n), rate: dot(sub(sub(a.velocity, b.velocity), cross(b.spin, d)), n), along: n, at: a.position};
   }
 
-  // About two axes h, u square to each other,  R = R(h, a) R(u, b):
-  //   R u = cos a u + sin a h x u,   R^T h = cos b h - sin b u x h
-  angle([a, b], second) {
+  // About two axes h, u,  R = R(h, a) R(h x u, b) R(u, c):  R u and R^T h tell a and c by their parts square to h and to u,
+  // b is what the angle between h and R u has grown; a rate is the spin along what is square to the axes of the others.
+  angle([a, b], which) {
     const turn = multiply(multiply(conjugate(b.orientation), a.orientation), conjugate(this.turn));
-    const h = this.to_axis, u = this.to_axis_2, along = second ? rotate(a.orientation, this.axis_2) : rotate(b.orientation, h);
-    const rate = dot(sub(a.spin, b.spin), along);
-    if (this.joint.type !== 'universal') return {value: 2 * Math.atan2(dot(turn.slice(1), h), turn[0]), rate, along};
-    const now = second ? rotate(conjugate(turn), h) : rotate(turn, u);
-    return {value: second ? Math.atan2(-dot(now, cross(u, h)), dot(now, h)) : Math.atan2(dot(now, cross(h, u)), dot(now, u)), rate, along};
+    const h = this.to_axis, u = this.to_axis_2;
+    const along = this.along(rotate(b.orientation, h), u && rotate(a.orientation, this.axis_2), which);
+    const rate = dot(sub(a.spin, b.spin), along), square = (v, to) => sub(v, scale(dot(v, to), to));
+    if (!between_axes.includes(this.joint.type)) return {value: 2 * Math.atan2(dot(turn.slice(1), h), turn[0]), rate, along};
+    const opening = (v) => Math.atan2(norm(cross(h, v)), dot(h, v));
+    if (which === 2) return {value: opening(rotate(turn, u)) - opening(u), rate, along};
+    const now = which === 1 ? rotate(conjugate(turn), h) : rotate(turn, u);
+    return {value: which === 1 ? Math.atan2(-dot(now, cross(u, h)), dot(now, square(h, u)))
+      : Math.atan2(dot(now, cross(h, u)), dot(now, square(u, h))), rate, along};
+  }
+  along(h, u, which) {
+    if (this.joint.type !== 'gimbal') return which === 1 ? u : h;
+    const n = cross(h, u), sine = norm(n), s = dot(h, u);
+    return which === 2 ? scale(1 / sine, n) : scale(1 / sine ** 2, which === 0 ? sub(h, scale(s, u)) : sub(u, scale(s, h)));
   }
 }
 
 /** Rates of the coordinates of a joint at t = 0, in the order of coordinates(). */
 export function rates_at_start(scene, joint) {
   const held = new Held(scene, joint), ends = held.ends(scene.bodies);
-  return coordinates(joint).map(({slides, second}) => (slides ? held.displacement(ends, second) : held.angle(ends, second)).rate);
+  return coordinates(joint).map(({slides, which}) => (slides ? held.displacement(ends, which) : held.angle(ends, which)).rate);
 }
 
 // ---- The smooth law -----------------------------------------------------------------------------------
@@ -164,7 +179,7 @@ export class JointForces {
     for (const {held, forced} of this.joints) {
       const ends = held.ends(states), {body, to} = held.joint;
       for (const one of forced) {
-        const {value, rate, along, at} = one.slides ? held.displacement(ends, one.second) : held.angle(ends, one.second);
+        const {value, rate, along, at} = one.slides ? held.displacement(ends, one.which) : held.angle(ends, one.which);
         if (!one.slides) one.angle += value - one.angle - turn * Math.round((value - one.angle) / turn);
         const c = one.acts, q = c.start + (one.slides ? value : one.angle), [rest, moves] = target(c, t);
         const Q = c.force - c.stiffness * (q - rest) - c.damping * (rate - moves) - c.quadratic_damping * rate * Math.abs(rate);

@@ -3,7 +3,7 @@
 import fs from 'node:fs';
 import {createRequire} from 'node:module';
 import init from 'jolt-physics/wasm';
-import {frame_of, held_coordinate} from './joints.mjs';
+import {frame_of, held_coordinate, kept} from './joints.mjs';
 import {Unsupported} from './scene.mjs';
 import {across, rotate, scale} from './vectors.mjs';
 
@@ -364,7 +364,7 @@ class World {
       cylindrical: () => this.six_axes(joint, place, ['TranslationX', 'RotationX']),
       planar: () => this.six_axes(joint, place, ['TranslationY', 'TranslationZ', 'RotationX']),
       universal: () => this.six_axes(joint, place, ['RotationX', 'RotationZ']),
-    }[joint.type];
+    }[kept(joint)];
     const settings = set();
     settings.mSpace = J.EConstraintSpace_WorldSpace;
     this.hold(settings, joint);

@@ -1,6 +1,6 @@
 // A prepared scene as MuJoCo's XML, with all digits; what MuJoCo cannot hold is refused.  After
 // reference/simulators/mujoco/mujoco_model.cc, for MuJoCo 3.
-import {coordinates, frame_of, has_limit, range, rates_at_start, reversed} from './joints.mjs';
+import {between_axes, coordinates, frame_of, has_limit, range, rates_at_start, reversed} from './joints.mjs';
 import {Unsupported} from './scene.mjs';
 import {add, conjugate, multiply, norm, rotate, scale, sub} from './vectors.mjs';
 
@@ -32,12 +32,13 @@ const parts_of = ({shape}) => (shape.type === 'compound' ? shape.parts.filter((p
  *  world at t = 0, acts, rate: of the child, which is `body` or, `other_way`, `to`, against its parent}. */
 export function axes_of(scene, joint, other_way) {
   // Displacements first: their axes are those of the parent.  Of a universal joint R(axis, first) R(axis_2, second), and
-  // from the other side R(axis_2, -second) R(axis, -first).
-  const [x, y, z] = frame_of(joint), rates = rates_at_start(scene, joint);
-  const list = coordinates(joint).map(({slides, second, acts}, k) => ({
+  // from the other side R(axis_2, -second) R(axis, -first); of a gimbal with R(axis x axis_2, third) between the two.
+  const [x, y, z] = frame_of(joint), rates = rates_at_start(scene, joint), second = joint.type === 'gimbal' ? joint.axis_2 : y;
+  const list = coordinates(joint).map(({slides, which, acts}, k) => ({
     slides, acts: acts && other_way ? reversed(acts) : acts, rate: other_way ? -rates[k] : rates[k],
-    axis: joint.type === 'planar' && slides ? (second ? z : y) : second ? y : x}));
-  return joint.type === 'universal' && other_way ? list.reverse() : list;
+    axis: (joint.type === 'planar' && slides ? [y, z] : [x, second, z])[which]}));
+  if (joint.type === 'gimbal') list.splice(1, 0, list.pop());
+  return between_axes.includes(joint.type) && other_way ? list.reverse() : list;
 }
 
 // What closes a loop; all kinds hang a body from another.

@@ -4,7 +4,7 @@ import fs from 'node:fs';
 import {createRequire} from 'node:module';
 import init from 'physx-js-webidl';
 import {Shapes, as_it_is, x_to_y} from './physx_shapes.mjs';
-import {frame_of, held_coordinate} from './joints.mjs';
+import {frame_of, held_coordinate, kept} from './joints.mjs';
 import {conjugate, multiply, quaternion_of, rotate, scale, sub, turn_of_y} from './vectors.mjs';
 
 const unlimited = 1e18;      // its square is finite in single precision
@@ -255,7 +255,7 @@ class World {
   add_joint(joint) {
     const {engine, scene} = this, {top, physics} = engine, first = scene.bodies[joint.body], second = scene.bodies[joint.to];
     if (first.locked && (!second || second.locked)) return;
-    const make = {ball: 'SphericalJointCreate', hinge: 'RevoluteJointCreate', fixed: 'FixedJointCreate', distance: 'DistanceJointCreate'}[joint.type] ?? 'D6JointCreate';
+    const make = {ball: 'SphericalJointCreate', hinge: 'RevoluteJointCreate', fixed: 'FixedJointCreate', distance: 'DistanceJointCreate'}[kept(joint)] ?? 'D6JointCreate';
     const frame = joint.axis ? quaternion_of(...axes_of(joint)) : [1, 0, 0, 0];  // a hinge turns about x
     const ends = joint.type === 'distance' ? [first.position, second?.position ?? joint.point] : [joint.point, joint.point];
     const local = ({position, orientation}, place, use) =>

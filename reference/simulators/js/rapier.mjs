@@ -1,7 +1,7 @@
 // The adapter of Rapier (@dimforge/rapier3d-compat, WebAssembly, single precision): a prepared scene in, motion out.
 // Knows nothing of the protocol.
 import RAPIER from '@dimforge/rapier3d-compat';
-import {frame_of, held_coordinate} from './joints.mjs';
+import {frame_of, held_coordinate, kept} from './joints.mjs';
 import {Unsupported} from './scene.mjs';
 import {conjugate, multiply, quaternion_of, rotate, scale, sub, turn_of_y} from './vectors.mjs';
 
@@ -200,7 +200,7 @@ class World {
       slider: () => RAPIER.JointData.prismatic(local(a), local(b), {x: 1, y: 0, z: 0}),
       cylindrical: () => RAPIER.JointData.generic(local(a), local(b), {x: 1, y: 0, z: 0}, M.LinY | M.LinZ | M.AngY | M.AngZ),
       planar: () => RAPIER.JointData.generic(local(a), local(b), {x: 1, y: 0, z: 0}, M.LinX | M.AngY | M.AngZ),
-    }[joint.type];
+    }[kept(joint)];
     const made = this.world.createImpulseJoint(data(), this.bodies[joint.body], second ? this.bodies[joint.to] : this.ground, true);
     // An angle with limits is 0 where the scene starts: the frames are the same then.
     if (['slider', 'cylindrical', 'planar'].includes(joint.type) || held_coordinate(joint)) {

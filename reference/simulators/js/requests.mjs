@@ -57,7 +57,7 @@ const part = object({
 type_of.set('compound', object({type: text, parts: list(part)}));
 
 const coordinate = object({
-  which: (x, place) => must(x === 'first' || x === 'second', place, 'first or second'), start: number, 'lower?': number,
+  which: (x, place) => must(['first', 'second', 'third'].includes(x), place, 'first, second or third'), start: number, 'lower?': number,
   'upper?': number, restitution: number, force: number, stiffness: number, damping: number, quadratic_damping: number,
   friction: number, armature: number, target: number, target_amplitude: number, target_frequency: number, target_phase: number,
   'target_times?': list(number), 'target_values?': list(number)});

@@ -54,9 +54,9 @@ MujocoKind mujoco_kind(const Scene& scene, const applied::Forest& forest, bool r
   for (const applied::Node& node : forest.nodes) {
     if (scene.bodies[at(node.body)].locked) continue;
     const bool spins = !scene.bodies[at(node.body)].initial.angular_velocity.isZero(0);
-    const bool fixed_axis =
-        node.joint >= 0 && core::kind_of(scene.joints[at(node.joint)].type).turn != core::JointTurn::freely &&
-        core::kind_of(scene.joints[at(node.joint)].type).turn != core::JointTurn::about_two_axes;
+    const bool fixed_axis = node.joint >= 0 &&
+                            !core::kind_of(scene.joints[at(node.joint)].type).turns_freely() &&
+                            !core::kind_of(scene.joints[at(node.joint)].type).turns_between_axes();
     kind.turns |= node.joint < 0 ? spins || !node.children.empty() : !fixed_axis;
   }
   kind.turns |= core::has_fictitious_forces(scene);

@@ -18,7 +18,7 @@ core::JointCoordinate acting(const std::vector<Coordinate>& list, Ordinal which)
 }  // namespace
 
 // Displacements first: their axes are those of the parent.  Of a universal joint R(axis, first) R(axis_2, second), and
-// from the other side R(axis_2, -second) R(axis, -first).
+// from the other side R(axis_2, -second) R(axis, -first); of a gimbal with R(axis x axis_2, third) between the two.
 std::vector<MujocoAxis> mujoco_axes(const core::Scene& scene, const Joint& joint, bool reversed) {
   const core::JointKind& kind = core::kind_of(joint.type);
   const core::HeldJoint held = core::held_joint(scene, joint);
@@ -41,10 +41,12 @@ std::vector<MujocoAxis> mujoco_axes(const core::Scene& scene, const Joint& joint
                  : Vector3(joint.axis.cross(second)));
   }
   if (kind.turn == core::JointTurn::about_axis) add(false, Ordinal::first, joint.axis);
-  if (kind.turn == core::JointTurn::about_two_axes) {
+  if (kind.turns_between_axes()) {
     add(false, Ordinal::first, joint.axis);
+    if (kind.turn == core::JointTurn::about_three_axes)
+      add(false, Ordinal::third, joint.axis.cross(second).normalized());
     add(false, Ordinal::second, second);
-    if (reversed) std::swap(axes[0], axes[1]);
+    if (reversed) std::ranges::reverse(axes);
   }
   return axes;
 }

@@ -210,6 +210,7 @@ void Ode::add_joint(std::size_t index) {
   const Vector3& p = joint.point;
   switch (joint.type) {
     case JointType::ball:
+    case JointType::gimbal:  // of which the angles are counted
       dJointSetBallAnchor(attach(dJointCreateBall(world_->id, nullptr)), p.x(), p.y(), p.z());
       return;
     case JointType::hinge: {

@@ -269,7 +269,8 @@ core::Engine ode_engine(std::string version) {
       {{integrator_name, 1, "linear momentum"}},
       {},
       {"collision_filters", "frame_acceleration", "body_gravity", "slider_joints", "cylindrical_joints",
-       "universal_joints", "joint_forces", "joint_targets", "joint_limits", "joint_friction"}};
+       "universal_joints", "gimbal_joints", "joint_forces", "joint_targets", "joint_limits",
+       "joint_friction"}};
   for (const OdeOption& option : ode_options())
     engine.options.push_back({option.name, option.words, option.engine_default, option.meaning});
   return engine;

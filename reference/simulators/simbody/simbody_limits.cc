@@ -35,8 +35,8 @@ Reason against_contacts(const Scene& scene) {
 }
 
 bool closes(core::JointType type) {
-  return type == core::JointType::ball || type == core::JointType::hinge || type == core::JointType::fixed ||
-         type == core::JointType::distance;
+  return type == core::JointType::ball || type == core::JointType::gimbal || type == core::JointType::hinge ||
+         type == core::JointType::fixed || type == core::JointType::distance;
 }
 
 Reason against_joints(const Scene& scene) {

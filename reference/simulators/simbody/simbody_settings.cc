@@ -171,8 +171,8 @@ core::Engine simbody_engine(std::string version) {
   for (const SimbodyIntegrator& one : integrators)
     engine.integrators.push_back({one.name, one.order, one.remark, one.adaptive});
   engine.knows = {"collision_filters",  "frame_acceleration", "body_gravity",     "slider_joints",
-                  "cylindrical_joints", "planar_joints",      "universal_joints", "screw_joints",
-                  "joint_forces",       "joint_targets"};
+                  "cylindrical_joints", "planar_joints",      "universal_joints", "gimbal_joints",
+                  "screw_joints",       "joint_forces",       "joint_targets"};
   return engine;
 }
 

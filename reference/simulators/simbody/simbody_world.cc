@@ -94,6 +94,7 @@ std::vector<double> rates_of(const core::Joint& joint, const Rotation& frame, co
   const auto along = [&](int k, const core::Vector3& v) { return SimTK::dot(frame.col(k), to_simbody(v)); };
   switch (joint.type) {
     case JointType::ball:
+    case JointType::gimbal:  // of which the angles are counted
       return {spin.x(), spin.y(), spin.z()};
     case JointType::hinge:
     case JointType::screw:
@@ -120,6 +121,7 @@ SimTK::MobilizedBodyIndex hang_by(const core::Joint& joint, MobilizedBody& paren
   };
   switch (joint.type) {
     case JointType::ball:
+    case JointType::gimbal:  // of which the angles are counted
       return by(std::type_identity<MobilizedBody::Ball>());
     case JointType::hinge:
       return by(std::type_identity<MobilizedBody::Pin>());
