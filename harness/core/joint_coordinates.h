@@ -56,6 +56,11 @@ void for_each_coordinate(AJoint& joint, Visit&& visit) {
 /// Whether something acts along a coordinate of the joint.
 inline bool acted_on(const Joint& joint) { return !joint.displacements.empty() || !joint.angles.empty(); }
 
+/// Whether it lets its bodies turn about its point and counts no angle: a ball, or a gimbal on which nothing acts.
+inline bool is_ball(const Joint& joint) {
+  return joint.type == JointType::ball || (joint.type == JointType::gimbal && !acted_on(joint));
+}
+
 /// The joint of a scene that begins with `state` and holds it as `held` does: its point and its axes as they are now,
 /// the coordinates counted on.
 Joint joint_at(const HeldJoint& held, const State&);

@@ -58,9 +58,8 @@ const JointCoordinate* acting(const Joint& joint, const Motion& m) {
 // From `to` to `body`; none: MJCF has no such joint.
 std::vector<Motion> motions_of(const Joint& joint) {
   using enum core::Ordinal;
+  if (core::is_ball(joint)) return {{"ball"}};
   switch (joint.type) {
-    case JointType::ball:
-      return {{"ball"}};
     case JointType::hinge:
       return {{"hinge", joint.axis}};
     case JointType::slider:
@@ -335,17 +334,17 @@ class Writer {
 
   void add_loop(const Joint& joint) {
     const std::string& name = name_of(scene_, joint.body);
-    if (joint.type != JointType::ball && joint.type != JointType::fixed)
+    if (!core::is_ball(joint) && joint.type != JointType::fixed)
       throw Unsayable{"joint", name, "type",
                       fmt::format("a {} joint that closes a loop, or is the second that carries its body",
                                   core::kind_of(joint.type).name)};
     const core::BodyState& body = scene_.bodies[at(joint.body)].initial;
     const int to = other_end(scene_, joint);
-    Element& made = add(equality_, joint.type == JointType::ball ? "connect" : "weld");
+    Element& made = add(equality_, core::is_ball(joint) ? "connect" : "weld");
     if (!joint.name.empty()) set(made, "name", unique(joint.name, equalities_));
     set(made, "body1", name);
     if (to != core::world) set(made, "body2", name_of(scene_, to));
-    if (joint.type == JointType::ball)
+    if (core::is_ball(joint))
       set(made, "anchor",
           Vector3(z_up(body.orientation).conjugate() * (z_up(joint.point) - z_up(body.position))));
     if (to == core::world) return;

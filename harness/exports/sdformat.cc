@@ -253,7 +253,7 @@ class Writer {
 
   void add_joint(const Joint& joint, Element& model) {
     const std::string& name = name_of(scene_, joint.body);
-    const char* type = type_of(joint.type);
+    const char* type = type_of(core::is_ball(joint) ? JointType::ball : joint.type);
     if (!type)
       throw Unsayable{"joint", name, "type",
                       fmt::format("it has no {} joint", core::kind_of(joint.type).name)};

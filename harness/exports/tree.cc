@@ -28,7 +28,7 @@ Tree tree_of(const core::Scene& scene) {
   };
   for (const bool balls : {false, true})
     for (std::size_t i = 0; i < scene.joints.size(); ++i)
-      if ((scene.joints[i].type == core::JointType::ball) == balls) carry(i);
+      if (core::is_ball(scene.joints[i]) == balls) carry(i);
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     const int parent = tree.links[i].parent;
     (parent == core::world ? tree.roots : tree.links[at(parent)].children).push_back(static_cast<int>(i));

@@ -33,6 +33,8 @@ core::Scene on_a_spring(JointType type) {
   if (core::kind_of(type).angles() > 0) joint.angles.push_back({acts});
   if (core::kind_of(type).angles() > 1)
     joint.angles.push_back({{.which = core::Ordinal::second, .damping = 0.7}});
+  if (core::kind_of(type).angles() > 2)
+    joint.angles.push_back({{.which = core::Ordinal::third, .stiffness = 12, .target = 0.2}});
   scene.joints = {joint};
   return scene;
 }
@@ -44,6 +46,7 @@ const Machine machines[] = {
     {"planar", [] { return on_a_spring(JointType::planar); }},
     {"universal", [] { return on_a_spring(JointType::universal); }},
     {"screw", [] { return on_a_spring(JointType::screw); }},
+    {"gimbal", [] { return on_a_spring(JointType::gimbal); }},
 };
 
 class JointLaws : public EveryEngine {};

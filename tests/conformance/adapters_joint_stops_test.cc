@@ -33,7 +33,7 @@ std::string name_of(const Stop& stop) {
 
 std::vector<Stop> stops() {
   std::vector<Stop> all;
-  for (const JointType type : {JointType::slider, JointType::hinge})
+  for (const JointType type : {JointType::slider, JointType::hinge, JointType::gimbal})
     for (const bool to_a_body : {false, true})
       for (const bool upper : {false, true})
         for (const double restitution : {0.0, 0.6}) {
@@ -56,6 +56,7 @@ core::Scene on_an_axis(JointType type, bool to_a_body) {
   }
   scene.forces.clear();
   scene.joints = {joint_of(type, 0, to_a_body ? 1 : core::world)};
+  if (type == JointType::gimbal) scene.joints[0].axis_2 = axis_2;  // its first angle is about the axis alone
   return scene;
 }
 
@@ -166,7 +167,7 @@ TEST_P(JointStops, DryFrictionBrakesAndHolds) {
   const core::Engine engine = process::describe(subject().choice(), limits);
   int run = 0;
   std::string refused;
-  for (const JointType type : {JointType::slider, JointType::hinge})
+  for (const JointType type : {JointType::slider, JointType::hinge, JointType::gimbal})
     for (const bool to_a_body : {false, true}) {
       core::Scene scene = on_an_axis(type, to_a_body);
       constexpr double v = 1.3, a = 2.6;
@@ -192,6 +193,34 @@ TEST_P(JointStops, DryFrictionBrakesAndHolds) {
                     rounding(subject()) + slow_friction(subject(), dt));
     }
   EXPECT_EQ(run, taken_by(subject()).frictions) << "refused:" << refused;
+  if (run == 0) GTEST_SKIP() << "takes none of these scenes:" << refused;
+}
+
+// A rotor with A = k/w, k times what moves with the coordinate, leaves of its acceleration Q w the part 1/(1 + k).
+TEST_P(JointStops, RotorsTakeTheirPart) {
+  const core::Engine engine = process::describe(subject().choice(), limits);
+  int run = 0;
+  std::string refused;
+  for (const JointType type : {JointType::slider, JointType::hinge, JointType::gimbal})
+    for (const bool to_a_body : {false, true}) {
+      core::Scene scene = on_an_axis(type, to_a_body);
+      constexpr double a = 3.4, k = 1.7, t = 0.5;
+      const double inverse = inverse_inertia(scene);
+      act(scene, {.force = a / inverse, .armature = k / inverse});
+      const std::string what = fmt::format("{} to {}, {}", core::kind_of(type).name,
+                                           to_a_body ? "a body" : "the world", subject().id);
+      if (const auto reason = refusal(engine, subject().choice(), scene)) {
+        refused += fmt::format("\n  {}: {}", what, *reason);
+        continue;
+      }
+      ++run;
+      const double dt = t / static_cast<double>(steps), left = a / (1 + k);
+      const core::State end = last(subject().choice(), scene, dt, steps);
+      const double grid = locates_events(subject()) ? 0 : left * t * dt;  // twice Euler's
+      expect_within(what, std::abs(along(scene, end) - left * t * t / 2), grid + rounding(subject()));
+      expect_within("rate, " + what, std::abs(rate(scene, end) - left * t), rounding(subject()));
+    }
+  EXPECT_EQ(run, taken_by(subject()).rotors) << "refused:" << refused;
   if (run == 0) GTEST_SKIP() << "takes none of these scenes:" << refused;
 }
 

@@ -20,7 +20,8 @@ constexpr Kind kinds[] = {{"ball", joint_types::ball},
                           {"slider", joint_types::slider},
                           {"cylindrical", joint_types::cylindrical},
                           {"planar", joint_types::planar},
-                          {"universal", joint_types::universal}};
+                          {"universal", joint_types::universal},
+                          {"gimbal", joint_types::gimbal}};
 
 Vector3 velocity_at(const Model& model, int body, const Vector3& point) {
   if (body == fixed_world || model.bodies[static_cast<std::size_t>(body)].locked) return Vector3::Zero();
@@ -53,7 +54,7 @@ void hang(Model& model, Dice& dice, Joint::Type type, int parent, bool reversed)
   Vector3 apart = Vector3::Zero(), slip = Vector3::Zero(), spin = Vector3::Zero();
   if (type.place == Place::along_axis) apart = 0.3 * axis, slip = 0.5 * axis;
   if (type.place == Place::in_plane) apart = 0.2 * second - 0.3 * third, slip = 0.4 * third;
-  if (type.turn == Turn::freely) spin = dice.vector(1.5);
+  if (!type.twists()) spin = dice.vector(1.5);
   if (type.turn == Turn::about_axis) spin = 1.3 * axis;
   if (type.turn == Turn::about_two_axes)
     spin = 1.1 * axis - 0.7 * second;  // `axis` is the first: carried by `to`
@@ -71,7 +72,10 @@ void hang(Model& model, Dice& dice, Joint::Type type, int parent, bool reversed)
   joint.anchor = reversed ? its : mine, joint.to_anchor = reversed ? mine : its;
   const Quaternion q_body = reversed ? q_parent : q_child, q_to = reversed ? q_child : q_parent;
   joint.to_axis = q_to.conjugate() * axis;
-  joint.axis = q_body.conjugate() * (type.turn == Turn::about_two_axes ? second : axis);
+  const Vector3 tilted = Real(0.8) * second + Real(0.6) * axis;
+  joint.axis = q_body.conjugate() * (type.turn == Turn::about_two_axes     ? second
+                                     : type.turn == Turn::about_three_axes ? tilted
+                                                                           : axis);
   joint.relative = q_to.conjugate() * q_body;
   model.joints.push_back(joint);
 }
@@ -125,6 +129,41 @@ void add_forces(Model& model) {
   }
 }
 
+// The three angles of a gimbal, counted from the start.
+std::array<Coordinate, 3> gimbal_angles(const Model& model, const Joint& joint) {
+  const auto turn = [&](int body) {
+    return body == fixed_world ? Quaternion(Quaternion::Identity())
+                               : model.motions[static_cast<std::size_t>(body)].orientation;
+  };
+  const Vector3 h = joint.to_axis, u = joint.axis,
+                h_on_body = turn(joint.body).conjugate() * (turn(joint.to) * h),
+                u_on_to = turn(joint.to).conjugate() * (turn(joint.body) * u);
+  Coordinate all;
+  all.body = joint.body, all.anchor = joint.anchor, all.to = joint.to, all.to_anchor = joint.to_anchor;
+  Coordinate first = all, second = all, third = all;
+  first.kind = second.kind = Coordinate::Kind::azimuth, third.kind = Coordinate::Kind::inclination;
+  first.axis = third.axis = h, first.mark = third.mark = u;
+  first.zero = (u_on_to - h.dot(u_on_to) * h).normalized();
+  second.on_body = true, second.axis = u, second.mark = h;
+  second.zero = (h_on_body - u.dot(h_on_body) * u).normalized();
+  third.zero_inclination = std::atan2(h.cross(u_on_to).norm(), h.dot(u_on_to));
+  return {first, second, third};
+}
+
+// Springs, dampers and motors on all angles of gimbals.
+void add_gimbal_laws(Model& model) {
+  for (const Joint& joint : model.joints) {
+    if (joint.type.turn != Joint::Turn::about_three_axes) continue;
+    Real more = 0;
+    for (const Coordinate& q : gimbal_angles(model, joint)) {
+      CoordinateLaw law;
+      law.at = q, law.stiffness = 2 + more, law.damping = Real(0.1), law.force = Real(0.3) - more;
+      law.target = harmonic(0.2, 0.5, 3, 0.4);
+      model.forces.coordinate_laws.push_back(law), more += Real(0.4);
+    }
+  }
+}
+
 // A rotor on each displacement and each angle that joints leave free, beside what acts already.
 void add_rotors(Model& model) {
   Real armature = Real(0.02);
@@ -146,14 +185,20 @@ void add_rotors(Model& model) {
       add(joint, Kind::displacement, Real(0.6) * one + Real(0.8) * two, false);
     }
     if (joint.type.turn == Joint::Turn::about_axis) add(joint, Kind::angle, joint.to_axis, false);
-    if (joint.type.turn != Joint::Turn::about_two_axes) continue;
-    add(joint, Kind::angle, joint.to_axis, false);
-    add(joint, Kind::angle, joint.axis, true);
+    if (joint.type.turn == Joint::Turn::about_two_axes) {
+      add(joint, Kind::angle, joint.to_axis, false);
+      add(joint, Kind::angle, joint.axis, true);
+    }
+    if (joint.type.turn != Joint::Turn::about_three_axes) continue;
+    for (const Coordinate& q : gimbal_angles(model, joint)) {
+      add(joint, q.kind, q.axis, q.on_body);
+      model.forces.coordinate_laws.back().at = q;
+    }
   }
 }
 
 constexpr Root roots[] = {Root::free, Root::world, Root::locked};
-constexpr std::uint32_t trees = 28;  // four of each kind at the root, and on each root
+constexpr std::uint32_t trees = 32;  // four of each kind at the root, and on each root
 
 Model forced_tree(std::uint32_t number) {
   Model model = tree(number, roots[number % 3]);
@@ -193,6 +238,24 @@ TEST(Trees, WithRotorsMoveAsConstraintsDo) {
     if (model.forces.coordinate_laws.size() > bare.forces.coordinate_laws.size())
       EXPECT_GT(distance(ours.motions, run(bare, coordinates, 512).motions), 1e-3) << number;
   }
+}
+
+TEST(Trees, WithForcesOnGimbalsMoveAsConstraintsDo) {
+  int met = 0;
+  for (std::uint32_t number = 0; number < trees; ++number) {
+    Model model = forced_tree(number);
+    const std::size_t bare = model.forces.coordinate_laws.size();
+    add_gimbal_laws(model);
+    if (model.forces.coordinate_laws.size() == bare) continue;
+    ++met;
+    const Options coordinates = with("rk8", 1. / 512);
+    Options constraints = coordinates;
+    constraints.constraints = true;
+    ASSERT_TRUE(hang_together(model, coordinates)) << number;
+    EXPECT_LT(distance(run(model, coordinates, 512).motions, run(model, constraints, 512).motions), 1e-9)
+        << number;
+  }
+  EXPECT_GT(met, 10);
 }
 
 // With controlled errors, too.

@@ -2,6 +2,7 @@
 // Knows nothing of the protocol.
 import fs from 'node:fs';
 import * as C from 'cannon-es';
+import {kept} from './joints.mjs';
 import {Unsupported} from './scene.mjs';
 import {LeftOut, torque_option} from './torque.mjs';
 import {conjugate, cross, multiply, norm, quaternion_of, rotate, scale, sub} from './vectors.mjs';

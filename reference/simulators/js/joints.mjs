@@ -27,6 +27,8 @@ export function coordinates(joint) {
       list.push({slides: kind === 'displacement', which: k, acts: (joint[kind] ?? []).find((c) => c.which === ordinals[k])});
   return list;
 }
+/** A ball, or a gimbal on which nothing acts. */
+export const is_ball = (joint) => joint.type === 'ball' || (joint.type === 'gimbal' && !joint.angle?.length);
 export const acting = (joint) => coordinates(joint).filter(({acts}) => acts);
 
 /** Least and largest displacement or angle since t = 0; infinite where there is no limit. */

@@ -3,7 +3,7 @@
 import load_mujoco from '@mujoco/mujoco';
 import {forest_of} from './forest.mjs';
 import {has_forces} from './forces.mjs';
-import {acting, has_limit} from './joints.mjs';
+import {acting, has_limit, is_ball} from './joints.mjs';
 import {axes_of, body_name, model_of, require_expressible} from './mujoco3_model.mjs';
 import {Unsupported} from './scene.mjs';
 import {add, conjugate, cross, is_zero, rotate, sub} from './vectors.mjs';
@@ -119,7 +119,7 @@ class World {
     const back = conjugate(body.orientation), joint = this.scene.joints[node.joint];
     const spin = node.parent >= 0 ? sub(body.spin, this.scene.bodies[node.parent].spin) : body.spin;
     if (free) this.data.qvel.set([...body.velocity, ...rotate(back, spin)], speed);
-    else if (joint.type === 'ball') this.data.qvel.set(rotate(back, spin), speed);
+    else if (is_ball(joint)) this.data.qvel.set(rotate(back, spin), speed);
     else this.data.qvel.set(axes_of(this.scene, joint, joint.body !== body.index).map(({rate}) => rate), speed);
   }
 

@@ -1,6 +1,6 @@
 // A prepared scene as MuJoCo's XML, with all digits; what MuJoCo cannot hold is refused.  After
 // reference/simulators/mujoco/mujoco_model.cc, for MuJoCo 3.
-import {between_axes, coordinates, frame_of, has_limit, range, rates_at_start, reversed} from './joints.mjs';
+import {between_axes, coordinates, frame_of, has_limit, is_ball, range, rates_at_start, reversed} from './joints.mjs';
 import {Unsupported} from './scene.mjs';
 import {add, conjugate, multiply, norm, rotate, scale, sub} from './vectors.mjs';
 
@@ -142,8 +142,8 @@ class Writer {
   // A fixed joint is none: the body is part of its parent.
   joint(body, joint, other_way) {
     const back = conjugate(body.orientation), point = joint.point && t(rotate(back, sub(joint.point, body.position)));
-    if (joint.type === 'ball') this.out.push(`<joint type="ball" pos="${point}"/>`);
-    if (joint.type === 'ball' || joint.type === 'fixed') return;
+    if (is_ball(joint)) this.out.push(`<joint type="ball" pos="${point}"/>`);
+    if (is_ball(joint) || joint.type === 'fixed') return;
     for (const {slides, axis, acts} of axes_of(this.scene, joint, other_way))
       this.out.push(`<joint type="${slides ? 'slide' : 'hinge'}" pos="${point}" axis="${t(rotate(back, axis))}"${acts ? this.stops(acts) : ''}/>`);
   }

@@ -173,7 +173,7 @@ void Mujoco::set_speeds(const applied::Forest& forest) {
     if (places_[i].free) {
       store(start.velocity, speed);
       store(start.orientation.conjugate() * spin, speed + 3);
-    } else if (scene_.joints[at(node.joint)].type == core::JointType::ball) {
+    } else if (core::is_ball(scene_.joints[at(node.joint)])) {
       store(start.orientation.conjugate() * spin, speed);
     } else {
       const core::Joint& joint = scene_.joints[at(node.joint)];

@@ -161,8 +161,8 @@ class Writer {
   void write_joint(const core::Body& one, const core::Joint& joint, bool reversed) {
     const Quaternion back = one.initial.orientation.conjugate();
     const std::string point = text(Vector3(back * (joint.point - one.initial.position)));
-    if (joint.type == core::JointType::ball) put("<joint type=\"ball\" pos=\"{}\"/>\n", point);
-    if (joint.type == core::JointType::ball || joint.type == core::JointType::fixed) return;
+    if (core::is_ball(joint)) put("<joint type=\"ball\" pos=\"{}\"/>\n", point);
+    if (core::is_ball(joint) || joint.type == core::JointType::fixed) return;
     for (const MujocoAxis& coordinate : mujoco_axes(scene_, joint, reversed))
       put("<joint type=\"{}\" pos=\"{}\" axis=\"{}\"{}/>\n", coordinate.slides ? "slide" : "hinge", point,
           text(Vector3(back * coordinate.axis)), stops(coordinate.acts));

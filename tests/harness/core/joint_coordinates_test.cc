@@ -15,6 +15,7 @@ using namespace cylon::core;
 
 const Vector3 axis = Vector3(1, -2, 0.5).normalized();
 const Vector3 axis_2 = Vector3(0.3, 1, -0.2).cross(axis).normalized();
+const Vector3 tilted = (axis_2 + 0.6 * axis).normalized();  // of a gimbal
 const Vector3 point(0.2, 0.1, 0.4);
 constexpr double pitch = -0.3;
 
@@ -31,7 +32,7 @@ Scene scene_of(JointType type, int to) {
   scene.bodies[1].initial.orientation = turn(-1.9, {0.3, 0.1, 2});
   scene.bodies[1].initial.position = {0.5, -0.3, 1};
   Joint joint{.type = type, .body = 0, .to = to, .point = point, .axis = axis};
-  if (kind_of(type).has_second_axis()) joint.axis_2 = axis_2;
+  if (kind_of(type).has_second_axis()) joint.axis_2 = kind_of(type).has_square_axes() ? axis_2 : tilted;
   if (kind_of(type).screws) joint.pitch = pitch;
   scene.joints = {joint};
   return scene;
@@ -39,7 +40,7 @@ Scene scene_of(JointType type, int to) {
 
 // How far each free coordinate has gone.
 struct Coordinates {
-  double displacement[2] = {0, 0}, angle[2] = {0, 0};
+  double displacement[2] = {0, 0}, angle[3] = {0, 0, 0};
 };
 
 // The motion of `body` against `to` that coordinates stand for: a turn about the point, then a way, in the axes of the
@@ -53,6 +54,8 @@ Relative relative(JointType type, const Coordinates& q) {
   Relative r{Quaternion::Identity(), Vector3::Zero()};
   if (kind.turn == JointTurn::about_axis) r.rotation = turn(q.angle[0], axis);
   if (kind.turn == JointTurn::about_two_axes) r.rotation = turn(q.angle[0], axis) * turn(q.angle[1], axis_2);
+  if (kind.turn == JointTurn::about_three_axes)
+    r.rotation = turn(q.angle[0], axis) * turn(q.angle[2], axis.cross(tilted)) * turn(q.angle[1], tilted);
   if (kind.place == JointPlace::along_axis)
     r.way = (kind.screws ? pitch * q.angle[0] : q.displacement[0]) * axis;
   if (kind.place == JointPlace::in_plane)
@@ -78,9 +81,10 @@ State posed(const Scene& scene, const Coordinates& q, const Quaternion& carried,
   return state;
 }
 
-const JointType kinds[] = {JointType::hinge,  JointType::slider,    JointType::cylindrical,
-                           JointType::planar, JointType::universal, JointType::screw};
-const Coordinates some = {.displacement = {0.4, -0.7}, .angle = {1.1, -0.8}};
+const JointType kinds[] = {JointType::hinge,     JointType::slider, JointType::cylindrical, JointType::planar,
+                           JointType::universal, JointType::screw,  JointType::gimbal};
+const Coordinates some = {.displacement = {0.4, -0.7}, .angle = {1.1, -0.8, 0.7}};
+const Ordinal ordinals[] = {Ordinal::first, Ordinal::second, Ordinal::third};
 
 TEST(JointCoordinates, AreThoseThatMadeThePose) {
   for (const JointType type : kinds)
@@ -89,11 +93,10 @@ TEST(JointCoordinates, AreThoseThatMadeThePose) {
       const Scene scene = scene_of(type, to);
       const State state = posed(scene, some, turn(2.3, {-0.4, 1, 0.6}), {3, -1, 2});
       const HeldJoint held = held_joint(scene, scene.joints[0]);
-      const Ordinal both[] = {Ordinal::first, Ordinal::second};
       for (int k = 0; k < kind_of(type).displacements(); ++k)
-        EXPECT_NEAR(joint_displacement(held, both[k], state), some.displacement[k], 1e-14) << k;
+        EXPECT_NEAR(joint_displacement(held, ordinals[k], state), some.displacement[k], 1e-14) << k;
       for (int k = 0; k < kind_of(type).angles(); ++k)
-        EXPECT_NEAR(joint_angle(held, both[k], state), some.angle[k], 1e-14) << k;
+        EXPECT_NEAR(joint_angle(held, ordinals[k], state), some.angle[k], 1e-14) << k;
       EXPECT_NEAR(open_by(scene, scene.joints[0], state), 0, 2e-15);
       EXPECT_NEAR(turned_by(scene, scene.joints[0], state), 0, 2e-15);
     }
@@ -142,27 +145,24 @@ State moving(const State& before, const State& now, const State& after, double h
 
 TEST(JointCoordinates, RatesAreTheirDerivatives) {
   constexpr double h = 1e-5;
-  const Coordinates rates = {.displacement = {0.9, -0.4}, .angle = {-1.3, 0.6}};
+  const Coordinates rates = {.displacement = {0.9, -0.4}, .angle = {-1.3, 0.6, -0.9}};
   for (const JointType type : kinds)
     for (const int to : {world, 1}) {
       SCOPED_TRACE(testing::Message() << kind_of(type).name << " to " << to);
       const Scene scene = scene_of(type, to);
       const auto at = [&](double t) {
         Coordinates q = some;
-        for (int k = 0; k < 2; ++k) {
-          q.displacement[k] += t * rates.displacement[k];
-          q.angle[k] += t * rates.angle[k];
-        }
+        for (int k = 0; k < 2; ++k) q.displacement[k] += t * rates.displacement[k];
+        for (int k = 0; k < 3; ++k) q.angle[k] += t * rates.angle[k];
         return posed(scene, q, turn(2.3 + 0.7 * t, {-0.4, 1, 0.6}),
                      Vector3(3, -1, 2) + t * Vector3(0.5, 0.2, -1));
       };
       const State state = moving(at(-h), at(0), at(h), h);
       const HeldJoint held = held_joint(scene, scene.joints[0]);
-      const Ordinal both[] = {Ordinal::first, Ordinal::second};
       for (int k = 0; k < kind_of(type).displacements(); ++k)
-        EXPECT_NEAR(joint_displacement_rate(held, both[k], state), rates.displacement[k], 1e-9) << k;
+        EXPECT_NEAR(joint_displacement_rate(held, ordinals[k], state), rates.displacement[k], 1e-9) << k;
       for (int k = 0; k < kind_of(type).angles(); ++k)
-        EXPECT_NEAR(joint_angle_rate(held, both[k], state), rates.angle[k], 1e-9) << k;
+        EXPECT_NEAR(joint_angle_rate(held, ordinals[k], state), rates.angle[k], 1e-9) << k;
       // The rows of the joint do not resist such a motion, and each sees one that is not allowed.
       std::vector<JointRow> rows;
       add_rows(held, state, rows);
@@ -209,9 +209,9 @@ TEST(JointCoordinates, GoOnInASceneThatBeginsLater) {
     Joint& joint = scene.joints[0];
     const Ordinal both[] = {Ordinal::first, Ordinal::second};
     for (int k = 0; k < kind_of(type).displacements(); ++k)
-      joint.displacements.push_back({{.which = both[k], .start = 0.1, .stiffness = 2}});
+      joint.displacements.push_back({{.which = ordinals[k], .start = 0.1, .stiffness = 2}});
     for (int k = 0; k < kind_of(type).angles(); ++k)
-      joint.angles.push_back({{.which = both[k], .start = -0.2, .stiffness = 3, .target = 0.4}});
+      joint.angles.push_back({{.which = ordinals[k], .start = -0.2, .stiffness = 3, .target = 0.4}});
     const Quaternion carried = turn(2.3, {-0.4, 1, 0.6});
     const State middle = posed(scene, some, carried, {3, -1, 2});
     Coordinates further = some;

@@ -193,6 +193,52 @@ TEST(CertifiedJoints, RotorsOfAUniversalJointTurnWithTheirOwnAngles) {
 }
 
 // Two hinges and a universal joint between them hold more than is free.
+// A gimbal is three hinges with rings of no mass between them: with rings of 1e-4 and 1e-5 of the body's inertia, which bear
+// the same springs, dampers, motors and rotors, the motion comes to the gimbal's as the inertia goes to nothing.
+TEST(CertifiedJoints, GimbalIsThreeHingesWithoutRings) {
+  const Vector3 tilted = (axis_2 + 0.5 * axis).normalized(), between = axis.cross(tilted).normalized();
+  constexpr double end = 0.8;
+  const core::JointAngle first{
+      {.start = 0.2, .stiffness = 6, .damping = 0.3, .armature = 0.4, .target = -0.3}};
+  const core::JointAngle second{{.which = core::Ordinal::second, .force = 0.7, .armature = 0.2}};
+  const core::JointAngle third{{.which = core::Ordinal::third, .stiffness = 9, .armature = 0.3}};
+  core::Joint gimbal = joint_of(JointType::gimbal);
+  gimbal.axis_2 = tilted, gimbal.angles = {first, second, third};
+  core::Scene scene = body_on(gimbal);
+  const Vector3 spin = 0.9 * axis - 0.6 * between + 0.5 * tilted;
+  const auto spun = [](core::Body& body, const Vector3& w) {
+    body.initial.angular_velocity = w, body.initial.velocity = w.cross(body.initial.position - point);
+  };
+  spun(scene.bodies[0], spin);
+  const core::BodyState exact = solution(scene, end, 1e11).truth.state(end)[0];
+  ASSERT_GT((exact.position - scene.bodies[0].initial.position).norm(), 0.2) << "hardly a motion";
+  const auto with_rings = [&](double part) {
+    core::Scene rings = scene;
+    rings.bodies.resize(3, scene.bodies[0]);
+    for (std::size_t i : {1u, 2u}) {
+      core::Body& ring = rings.bodies[i];
+      ring.name = i == 1 ? "outer" : "inner", ring.mass = part,
+      ring.inertia = part * core::Matrix3::Identity();
+      ring.initial = {.position = point};
+    }
+    spun(rings.bodies[1], 0.9 * axis), spun(rings.bodies[2], 0.9 * axis - 0.6 * between);
+    const auto hinge = [](int body, int to, const Vector3& about, core::JointAngle angle) {
+      angle.which = core::Ordinal::first;
+      core::Joint joint{.type = JointType::hinge, .body = body, .to = to, .point = point, .axis = about};
+      joint.angles = {angle};
+      return joint;
+    };
+    rings.joints = {hinge(1, core::world, axis, first), hinge(2, 1, between, third),
+                    hinge(0, 2, tilted, second)};
+    const core::BodyState state = solution(rings, end, 1e11).truth.state(end)[0];
+    return (state.position - exact.position).norm() +
+           (state.angular_velocity - exact.angular_velocity).norm();
+  };
+  const double coarse = with_rings(1e-4), fine = with_rings(1e-5);
+  EXPECT_LT(coarse, 1e-3);
+  EXPECT_NEAR(coarse / fine, 10, 0.1);
+}
+
 TEST(CertifiedJoints, RedundantJointsAreRefused) {
   core::Scene scene = body_on(joint_of(JointType::hinge));
   scene.bodies.push_back(scene.bodies[0]);
