@@ -43,17 +43,17 @@ inline core::Scene at_rest(int count) {
 struct Taken {
   std::string_view engine;
   int machines = 0;   ///< Of 7 joints with springs, dampers and motors (adapters_joint_laws_test.cc).
-  int stops = 0;      ///< Of 32 limits: half of them bounce (adapters_joint_stops_test.cc).
+  int stops = 0;      ///< Of 40 limits: half of them bounce (adapters_joint_stops_test.cc).
   int frictions = 0;  ///< Of 6 joints with dry friction (the same).
   int rotors = 0;     ///< Of 6 joints with rotors (the same).
 };
 
 inline constexpr Taken taken[] = {
-    {"in-house", 7, 32, 6, 6},
-    {"in-house-float", 7, 32, 6, 6},
+    {"in-house", 7, 40, 6, 6},
+    {"in-house-float", 7, 40, 6, 6},
     {"ode", 5, 24, 4},
     {"ode-quick", 5, 24, 4},  // neither planar joints nor screws
-    {"mujoco", 6, 16, 6, 6},  // no screws, and no coefficient of restitution
+    {"mujoco", 6, 20, 6, 6},  // no screws, and no coefficient of restitution
     {"bullet", 6, 16, 4},     // no screws, no single stop of an angle
     {"bullet-float", 6, 16, 4},
     // neither screws nor joints of two freedoms, and stops without restitution
@@ -61,7 +61,7 @@ inline constexpr Taken taken[] = {
     {"bullet-multibody-float", 4, 12, 4},
     {"simbody", 7},
     {"dart", 6, 12, 4},  // nothing that turns about an axis and slides along it, and no stop that gives back
-    {"mujoco3", 6, 16, 6, 6},  // as mujoco
+    {"mujoco3", 6, 20, 6, 6},  // as mujoco
     // no screws, no single stop of an angle, no stop that gives back; Rapier also no universal joint
     {"jolt", 6, 8, 4},
     {"rapier", 5, 8, 4},

@@ -22,13 +22,14 @@ struct Stop {
   bool to_a_body;  // that moves as freely; else to the world
   bool upper;
   double restitution;
-  bool both = false;  // with another stop on the other side, which nothing reaches
+  bool both = false;   // with another stop on the other side, which nothing reaches
+  bool rotor = false;  // as large as what moves with the coordinate
 };
 
 std::string name_of(const Stop& stop) {
-  return fmt::format("{} to {}, {}{}, e = {}", core::kind_of(stop.type).name,
+  return fmt::format("{} to {}, {}{}{}, e = {}", core::kind_of(stop.type).name,
                      stop.to_a_body ? "a body" : "the world", stop.upper ? "upper" : "lower",
-                     stop.both ? " of two" : "", stop.restitution);
+                     stop.both ? " of two" : "", stop.rotor ? ", a rotor" : "", stop.restitution);
 }
 
 std::vector<Stop> stops() {
@@ -39,6 +40,7 @@ std::vector<Stop> stops() {
         for (const double restitution : {0.0, 0.6}) {
           all.push_back({type, to_a_body, upper, restitution});
           if (type == JointType::hinge) all.push_back({type, to_a_body, upper, restitution, true});
+          if (type == JointType::slider) all.push_back({type, to_a_body, upper, restitution, false, true});
         }
   return all;
 }
@@ -139,7 +141,8 @@ TEST_P(JointStops, GiveBackTheirPart) {
         stop.restitution > 0 ? 0.06 : 0.4;  // a soft stop has 20 of its time constants to come to rest
     const double sign = stop.upper ? 1 : -1;
     core::JointCoordinate acts{.start = start, .restitution = stop.restitution};
-    acts.force = sign * a / inverse_inertia(scene);
+    if (stop.rotor) acts.armature = 1 / inverse_inertia(scene);
+    acts.force = sign * a * (1 / inverse_inertia(scene) + acts.armature);
     (stop.upper ? acts.upper : acts.lower) = start + sign * way;
     if (stop.both) (stop.upper ? acts.lower : acts.upper) = start - sign * 1.4;
     act(scene, acts);
