@@ -3,6 +3,9 @@
 
 #include "tests/engine/fixtures.h"
 
+#include <array>
+#include <cmath>
+
 namespace cylon::engine {
 
 struct JointKind {
@@ -11,11 +14,31 @@ struct JointKind {
 };
 inline void PrintTo(const JointKind& kind, std::ostream* out) { *out << kind.name; }
 
-inline constexpr JointKind joint_kinds[] = {{"slider", joint_types::slider},
-                                            {"cylindrical", joint_types::cylindrical},
-                                            {"planar", joint_types::planar},
-                                            {"universal", joint_types::universal},
-                                            {"screw", joint_types::screw}};
+inline constexpr JointKind joint_kinds[] = {
+    {"slider", joint_types::slider}, {"cylindrical", joint_types::cylindrical},
+    {"planar", joint_types::planar}, {"universal", joint_types::universal},
+    {"screw", joint_types::screw},   {"gimbal", joint_types::gimbal}};
+
+/// The three angles of a gimbal, counted from the start: first, second, third.
+inline std::array<Coordinate, 3> gimbal_angles(const Model& model, const Joint& joint) {
+  const auto turn = [&](int body) {
+    return body == fixed_world ? Quaternion(Quaternion::Identity())
+                               : model.motions[static_cast<std::size_t>(body)].orientation;
+  };
+  const Vector3 h = joint.to_axis, u = joint.axis,
+                h_on_body = turn(joint.body).conjugate() * (turn(joint.to) * h),
+                u_on_to = turn(joint.to).conjugate() * (turn(joint.body) * u);
+  Coordinate all;
+  all.body = joint.body, all.anchor = joint.anchor, all.to = joint.to, all.to_anchor = joint.to_anchor;
+  Coordinate first = all, second = all, third = all;
+  first.kind = second.kind = Coordinate::Kind::azimuth, third.kind = Coordinate::Kind::inclination;
+  first.axis = third.axis = h, first.mark = third.mark = u;
+  first.zero = (u_on_to - h.dot(u_on_to) * h).normalized();
+  second.on_body = true, second.axis = u, second.mark = h;
+  second.zero = (h_on_body - u.dot(h_on_body) * u).normalized();
+  third.zero_inclination = std::atan2(h.cross(u_on_to).norm(), h.dot(u_on_to));
+  return {first, second, third};
+}
 
 /// The joint of a scene, and the axes that it has at t = 0, in the world.
 struct JointScene {
@@ -26,6 +49,7 @@ struct JointScene {
 
   /// An angle about the joint's axis, or where `about_second` about that of the body; zero at the start.
   Coordinate angle(bool about_second = false) const {
+    if (joint().type == joint_types::gimbal) return gimbal_angles(model, joint())[about_second ? 1 : 0];
     const Quaternion q_a = model.motions[0].orientation, q_b = to_world();
     Coordinate c = ends(Coordinate::Kind::angle);
     const Vector3 h = about_second ? second : axis, zero = about_second ? axis : second;
@@ -68,7 +92,9 @@ inline JointScene joint_scene(Joint::Type type, bool to_world) {
   j.type = type, j.body = 0, j.anchor = anchor;
   j.to = to_world ? fixed_world : 1, j.to_anchor = to_world ? place : to_anchor;
   j.to_axis = q_b.conjugate() * s.axis;
-  j.axis = q_a.conjugate() * (type.turn == Joint::Turn::about_two_axes ? s.second : s.axis);
+  if (type == joint_types::gimbal) s.second = Real(0.8) * s.second + Real(0.6) * s.axis;
+  const bool two = type.turn == Joint::Turn::about_two_axes || type == joint_types::gimbal;
+  j.axis = q_a.conjugate() * (two ? s.second : s.axis);
   j.relative = q_b.conjugate() * q_a;
 
   const Vector3 v_b = to_world ? Vector3(0, 0, 0) : Vector3(-0.4, 0.1, 0.6),
@@ -76,6 +102,7 @@ inline JointScene joint_scene(Joint::Type type, bool to_world) {
   Vector3 apart = {0, 0, 0}, slip = {0, 0, 0}, spin = {0, 0, 0};
   if (type.turn == Joint::Turn::about_axis) spin = 1.7 * s.axis;
   if (type.turn == Joint::Turn::about_two_axes) spin = 1.1 * s.axis - 0.8 * s.second;
+  if (type == joint_types::gimbal) spin = Vector3(1.1 * s.axis - 0.8 * s.second + 0.3 * third);
   if (type.place == Joint::Place::along_axis) apart = 0.3 * s.axis, slip = 0.6 * s.axis;
   if (type.place == Joint::Place::in_plane)
     apart = 0.3 * s.second - 0.2 * third, slip = 0.4 * s.second + 0.5 * third;
@@ -126,6 +153,7 @@ inline Real opened(const std::vector<Motion>& motions, const Joint& joint) {
   }
   switch (joint.type.turn) {
     case Joint::Turn::freely:
+    case Joint::Turn::about_three_axes:
       break;
     case Joint::Turn::about_axis:
       gap = std::max(gap, angle_between(own, h));

@@ -5,7 +5,7 @@
 #include "engine/features.h"
 #include "engine/geometry/hull.h"
 #include "engine/methods.h"
-#include "tests/engine/fixtures.h"
+#include "tests/engine/joint_scenes.h"
 
 #include <cstdint>
 #include <random>
@@ -129,14 +129,15 @@ inline void add_forces(Dice& dice, Model& m, std::string& text) {
   }
 }
 
-// A spring, damping, dry friction and limits, each of them or not, on a coordinate that the joint leaves free.
+// A spring, damping, dry friction, limits and a rotor, each of them or not, on a coordinate that the joint leaves free.
 inline void add_law(Dice& dice, Model& m, std::string& text) {
   const Joint& joint = m.joints.back();
   const bool turns =
                  joint.type.turn == Joint::Turn::about_axis || joint.type.turn == Joint::Turn::about_two_axes,
              slides =
                  joint.type.place == Joint::Place::along_axis || joint.type.place == Joint::Place::in_plane;
-  if (!turns && !slides) return;
+  const bool gimbal = joint.type == joint_types::gimbal;
+  if (!turns && !slides && !gimbal) return;
   CoordinateLaw law;
   law.at.kind = turns && (!slides || joint.type.couples || dice.one_in(2)) ? Coordinate::Kind::angle
                                                                            : Coordinate::Kind::displacement;
@@ -149,6 +150,8 @@ inline void add_law(Dice& dice, Model& m, std::string& text) {
   law.at.mark = joint.relative.conjugate() * law.at.zero;
   if (joint.type.turn == Joint::Turn::about_two_axes)  // the other axis, which stays square to the first
     law.at.mark = joint.axis, law.at.zero = joint.relative * joint.axis;
+  if (gimbal) law.at = gimbal_angles(m, joint)[dice.below(3)];
+  if (dice.one_in(4)) law.armature = dice.between(Real(0.01), Real(0.5));
   if (dice.one_in(2)) law.stiffness = dice.between(Real(0.2), 4), law.target.value = dice.between(-1, 1);
   if (dice.one_in(2)) law.damping = dice.between(Real(0.01), Real(0.2));
   if (dice.one_in(3)) law.friction = dice.between(Real(0.02), Real(0.6));
@@ -156,7 +159,8 @@ inline void add_law(Dice& dice, Model& m, std::string& text) {
     law.lower = dice.between(Real(-0.6), Real(-0.05)), law.upper = dice.between(Real(0.05), Real(0.6));
     law.restitution = dice.one_in(3) ? 0 : dice.between(Real(0.2), 1);
   }
-  text += angle ? " law on an angle" : " law on a displacement";
+  text += law.at.is_angle() ? " law on an angle" : " law on a displacement";
+  if (law.armature != 0) text += ", a rotor";
   if (law.friction != 0) text += ", rubbing";
   if (law.is_limited()) text += ", limited";
   m.forces.coordinate_laws.push_back(law);
@@ -169,7 +173,8 @@ inline void add_joints(Dice& dice, Model& m, std::string& text) {
     const int body = static_cast<int>(k), to = k + 1 < n && dice.one_in(2) ? body + 1 : fixed_world;
     constexpr Joint::Type types[] = {joint_types::ball,   joint_types::hinge,     joint_types::distance,
                                      joint_types::fixed,  joint_types::slider,    joint_types::cylindrical,
-                                     joint_types::planar, joint_types::universal, joint_types::screw};
+                                     joint_types::planar, joint_types::universal, joint_types::screw,
+                                     joint_types::gimbal};
     const std::size_t kind = dice.below(std::size(types));
     const Joint::Type type = types[kind];
     const auto turn = [&](int i) {
@@ -194,6 +199,8 @@ inline void add_joints(Dice& dice, Model& m, std::string& text) {
       joint.to_axis = turn(to).conjugate() * axis;
       if (type.turn == Joint::Turn::about_two_axes)
         joint.axis = turn(body).conjugate() * axis.unitOrthogonal();
+      if (type == joint_types::gimbal)
+        joint.axis = turn(body).conjugate() * (Real(0.8) * axis.unitOrthogonal() + Real(0.6) * axis);
       if (type.couples) joint.pitch = dice.between(Real(0.05), Real(0.3));
       joint.relative = turn(to).conjugate() * turn(body);
     }

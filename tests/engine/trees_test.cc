@@ -129,27 +129,6 @@ void add_forces(Model& model) {
   }
 }
 
-// The three angles of a gimbal, counted from the start.
-std::array<Coordinate, 3> gimbal_angles(const Model& model, const Joint& joint) {
-  const auto turn = [&](int body) {
-    return body == fixed_world ? Quaternion(Quaternion::Identity())
-                               : model.motions[static_cast<std::size_t>(body)].orientation;
-  };
-  const Vector3 h = joint.to_axis, u = joint.axis,
-                h_on_body = turn(joint.body).conjugate() * (turn(joint.to) * h),
-                u_on_to = turn(joint.to).conjugate() * (turn(joint.body) * u);
-  Coordinate all;
-  all.body = joint.body, all.anchor = joint.anchor, all.to = joint.to, all.to_anchor = joint.to_anchor;
-  Coordinate first = all, second = all, third = all;
-  first.kind = second.kind = Coordinate::Kind::azimuth, third.kind = Coordinate::Kind::inclination;
-  first.axis = third.axis = h, first.mark = third.mark = u;
-  first.zero = (u_on_to - h.dot(u_on_to) * h).normalized();
-  second.on_body = true, second.axis = u, second.mark = h;
-  second.zero = (h_on_body - u.dot(h_on_body) * u).normalized();
-  third.zero_inclination = std::atan2(h.cross(u_on_to).norm(), h.dot(u_on_to));
-  return {first, second, third};
-}
-
 // Springs, dampers and motors on all angles of gimbals.
 void add_gimbal_laws(Model& model) {
   for (const Joint& joint : model.joints) {

@@ -50,6 +50,10 @@ const Coordinates coordinates[] = {
     {"planar, angle", joint_types::planar, [](const JointScene& s) { return s.angle(); }},
     {"universal, first", joint_types::universal, [](const JointScene& s) { return s.angle(); }},
     {"universal, second", joint_types::universal, [](const JointScene& s) { return s.angle(true); }},
+    {"gimbal, first", joint_types::gimbal, [](const JointScene& s) { return s.angle(); }},
+    {"gimbal, second", joint_types::gimbal, [](const JointScene& s) { return s.angle(true); }},
+    {"gimbal, third", joint_types::gimbal,
+     [](const JointScene& s) { return gimbal_angles(s.model, s.joint())[2]; }},
 };
 
 Real value(const Model& model, const Coordinate& at) {
