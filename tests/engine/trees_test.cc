@@ -156,17 +156,17 @@ void add_rotors(Model& model) {
     model.forces.coordinate_laws.push_back(law);
   };
   for (const Joint& joint : model.joints) {
-    using Kind = Coordinate::Kind;
-    if (joint.type.place == Joint::Place::along_axis) add(joint, Kind::displacement, joint.to_axis, false);
+    using enum Coordinate::Kind;
+    if (joint.type.place == Joint::Place::along_axis) add(joint, displacement, joint.to_axis, false);
     if (joint.type.place == Joint::Place::in_plane) {
       // Not along the axes that the coordinates of a tree have.
       const Vector3 one = joint.to_axis.unitOrthogonal(), two = joint.to_axis.cross(one);
-      add(joint, Kind::displacement, Real(0.6) * one + Real(0.8) * two, false);
+      add(joint, displacement, Real(0.6) * one + Real(0.8) * two, false);
     }
-    if (joint.type.turn == Joint::Turn::about_axis) add(joint, Kind::angle, joint.to_axis, false);
+    if (joint.type.turn == Joint::Turn::about_axis) add(joint, angle, joint.to_axis, false);
     if (joint.type.turn == Joint::Turn::about_two_axes) {
-      add(joint, Kind::angle, joint.to_axis, false);
-      add(joint, Kind::angle, joint.axis, true);
+      add(joint, angle, joint.to_axis, false);
+      add(joint, angle, joint.axis, true);
     }
     if (joint.type.turn != Joint::Turn::about_three_axes) continue;
     for (const Coordinate& q : gimbal_angles(model, joint)) {
@@ -214,8 +214,9 @@ TEST(Trees, WithRotorsMoveAsConstraintsDo) {
     ASSERT_TRUE(hang_together(model, coordinates)) << number;
     const Outcome ours = run(model, coordinates, 512), theirs = run(model, constraints, 512);
     EXPECT_LT(distance(ours.motions, theirs.motions), 1e-9) << number;
-    if (model.forces.coordinate_laws.size() > bare.forces.coordinate_laws.size())
+    if (model.forces.coordinate_laws.size() > bare.forces.coordinate_laws.size()) {
       EXPECT_GT(distance(ours.motions, run(bare, coordinates, 512).motions), 1e-3) << number;
+    }
   }
 }
 
