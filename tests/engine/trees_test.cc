@@ -156,17 +156,17 @@ void add_rotors(Model& model) {
     model.forces.coordinate_laws.push_back(law);
   };
   for (const Joint& joint : model.joints) {
-    using enum Coordinate::Kind;
-    if (joint.type.place == Joint::Place::along_axis) add(joint, displacement, joint.to_axis, false);
+    if (joint.type.place == Joint::Place::along_axis)
+      add(joint, Coordinate::Kind::displacement, joint.to_axis, false);
     if (joint.type.place == Joint::Place::in_plane) {
       // Not along the axes that the coordinates of a tree have.
       const Vector3 one = joint.to_axis.unitOrthogonal(), two = joint.to_axis.cross(one);
-      add(joint, displacement, Real(0.6) * one + Real(0.8) * two, false);
+      add(joint, Coordinate::Kind::displacement, Real(0.6) * one + Real(0.8) * two, false);
     }
-    if (joint.type.turn == Joint::Turn::about_axis) add(joint, angle, joint.to_axis, false);
+    if (joint.type.turn == Joint::Turn::about_axis) add(joint, Coordinate::Kind::angle, joint.to_axis, false);
     if (joint.type.turn == Joint::Turn::about_two_axes) {
-      add(joint, angle, joint.to_axis, false);
-      add(joint, angle, joint.axis, true);
+      add(joint, Coordinate::Kind::angle, joint.to_axis, false);
+      add(joint, Coordinate::Kind::angle, joint.axis, true);
     }
     if (joint.type.turn != Joint::Turn::about_three_axes) continue;
     for (const Coordinate& q : gimbal_angles(model, joint)) {
