@@ -112,10 +112,26 @@ void add_at_length(const Joint& joint, const JointEnd& a, const JointEnd& b, std
   rows.push_back(row);
 }
 
+// c = x_a - x_b - l h x u,  h carried by b, u by a and square to it:
+//   (h x u)' = (w_b x h) x u + h x (w_a x u) = h (u.w_b) - u (h.w_a),
+// and its second derivative without the accelerations  h" x u + 2 h' x u' + h x u",  h" = w_b x (w_b x h).
+void add_along_normal(const Joint& joint, const JointEnd& a, const JointEnd& b, std::vector<Row>& rows) {
+  add_together(joint, a, b, rows);
+  const Vector3 h = b.orientation * joint.to_axis, u = a.orientation * joint.axis, normal = h.cross(u);
+  const Vector3 &w_a = a.angular_velocity, &w_b = b.angular_velocity, h_rate = w_b.cross(h), u_rate = w_a.cross(u);
+  const Vector3 change = w_b.cross(h_rate).cross(u) + 2 * h_rate.cross(u_rate) + h.cross(w_a.cross(u_rate));
+  for (int k = 0; k < 3; ++k) {
+    Row& row = rows[rows.size() - 3 + static_cast<std::size_t>(k)];
+    row.lever += joint.length * u[k] * h, row.to_lever += joint.length * h[k] * u;
+    row.bias -= joint.length * change[k], row.offset -= joint.length * normal[k];
+    row.rounding += 2 * epsilon * joint.length;
+  }
+}
+
 }  // namespace
 
 int row_count(Joint::Type type) {
-  constexpr int of_place[] = {3, 1, 2, 1}, of_turn[] = {0, 2, 1, 3, 0};  // in the order of the enumerations
+  constexpr int of_place[] = {3, 1, 2, 1, 3}, of_turn[] = {0, 2, 1, 3, 0};  // in the order of the enumerations
   return of_place[static_cast<std::size_t>(type.place)] + of_turn[static_cast<std::size_t>(type.turn)] +
          (type.couples ? 1 : 0);
 }
@@ -136,6 +152,9 @@ void add_rows(const Joint& joint, const std::vector<Body>& bodies, const Motion*
       break;
     case Joint::Place::in_plane:
       add_square_to(joint.to_axis, joint, a, b, rows);
+      break;
+    case Joint::Place::along_normal:
+      add_along_normal(joint, a, b, rows);
       break;
   }
   switch (joint.type.turn) {
@@ -166,6 +185,7 @@ void add_rotor_rows(const Model& model, const Motion* motion, std::vector<Row>& 
 Misfit misfit_of_place(const Joint& joint, const Vector3& apart, const Quaternion& to) {
   switch (joint.type.place) {
     case Joint::Place::together:
+    case Joint::Place::along_normal:  // of which no step of a pile holds any (engine/methods.cc)
       break;
     case Joint::Place::at_length: {
       const Vector3 n = apart.normalized();

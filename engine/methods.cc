@@ -46,21 +46,21 @@ constexpr std::array methods = {
                Feature::late_start}},
     MethodRow{Method::bodies,
               rigid_bodies | all_forces | user_forces | all_joints |
-                  Features{Feature::joint_couples, Feature::joint_rotor, Feature::quadratic_damping,
+                  Features{Feature::joint_couples, Feature::joint_along_normal, Feature::joint_rotor, Feature::quadratic_damping,
                            Feature::pinned_body, Feature::one_axis_body, Feature::guided_body,
                            Feature::turning_frame, Feature::chosen_integrator, Feature::account,
                            Feature::late_start, Feature::every_stage}},
     MethodRow{Method::trees,
               all_forces | user_forces |
                   Features{Feature::locked_body, Feature::spin, Feature::own_gravity, Feature::joint_together,
-                           Feature::joint_along_axis, Feature::joint_in_plane, Feature::joint_about_axis,
+                           Feature::joint_along_axis, Feature::joint_in_plane, Feature::joint_along_normal, Feature::joint_about_axis,
                            Feature::joint_about_two_axes, Feature::joint_never, Feature::joint_rotor,
                            Feature::quadratic_damping, Feature::chosen_integrator, Feature::late_start}},
     MethodRow{Method::ballistic,
               {Feature::locked_body, Feature::spin, Feature::contact, Feature::friction, Feature::sphere,
                Feature::collision_filters, Feature::own_gravity, Feature::late_start}},
     MethodRow{Method::events, rigid_bodies | all_forces | user_forces | all_joints | all_contacts |
-                                  Features{Feature::joint_couples, Feature::quadratic_damping,
+                                  Features{Feature::joint_couples, Feature::joint_along_normal, Feature::quadratic_damping,
                                            Feature::joint_limit, Feature::joint_friction,
                                            Feature::joint_rotor, Feature::pinned_body, Feature::one_axis_body,
                                            Feature::guided_body, Feature::chosen_integrator, Feature::account,
@@ -97,6 +97,9 @@ void add_joint(Joint::Type type, Features& features) {
       break;
     case Joint::Place::in_plane:
       features.add(Feature::joint_in_plane);
+      break;
+    case Joint::Place::along_normal:
+      features.add(Feature::joint_along_normal);
       break;
   }
   switch (type.turn) {

@@ -20,7 +20,8 @@ struct Joint {
     together,    ///< The anchors coincide.
     at_length,   ///< The anchors keep the distance `length`.
     along_axis,  ///< The anchor on `body` stays on the line of `to_axis` through the anchor on `to`.
-    in_plane     ///< It stays in the plane square to `to_axis` there.
+    in_plane,    ///< It stays in the plane square to `to_axis` there.
+    along_normal  ///< It stays `length` along  to_axis x axis  from there.
   };
   enum class Turn {
     freely,
@@ -46,7 +47,7 @@ struct Joint {
   Vector3 axis = Vector3::UnitY();               ///< Of axes: unit.
   Vector3 to_axis = Vector3::UnitY();            ///< Of axes, along_axis and in_plane: unit.
   Quaternion relative = Quaternion::Identity();  ///< R_to^T R_body: of never always, of couples at angle 0.
-  Real length = 0;                               ///< Of at_length: [m], > 0.
+  Real length = 0;                               ///< Of at_length and along_normal: [m], > 0.
   Real pitch = 0;                                ///< Of couples: [m/rad], not 0.
 };
 

@@ -126,6 +126,8 @@ void Trees::hang(int body, const Joint* joint, int parent) {
     node.first = is_body ? joint->to_axis : joint->axis;
     node.second_axis = is_body ? joint->axis : joint->to_axis;
     node.second = node.relative * node.second_axis;
+    if (joint->type.place == Joint::Place::along_normal)  // from the point on `to`, and from that on `body` back
+      node.offset = joint->length * node.first.cross(node.second);
     using Turn = Joint::Turn;
     const Turn turn = joint->type.turn;
     node.turns = turn == Turn::freely             ? Turns::freely
@@ -266,6 +268,11 @@ Vector3 Trees::axis_between(const Node& node, const Real* angles, const Kinemati
   return kinematics[node.above].rotation * (exponential(angles[0] * node.first) * node.third);
 }
 
+Vector3 Trees::offset(const Node& node, const Real* angles, const Kinematics* kinematics) const {
+  if (node.offset.isZero(0)) return Vector3::Zero();
+  return kinematics[node.above].rotation * (exponential(angles[0] * node.first) * node.offset);
+}
+
 // Where a body is and how it moves, from its coordinates and its parent:
 //   R = R_p exp(a h) exp(b n) exp(c u) R_0,   c = pivot - R anchor  (with displacements on the side of who carries them),
 //   w = w_p + sum e a',   v = v_p + w_p x (pivot - c_p) + sum d s' + w x (c - pivot)
@@ -299,8 +306,10 @@ void Trees::place(const Node& node, const Real* y, Motion* motions, Kinematics* 
     slid += y[node.at + index(i)] * d;
     slip += y[node.rates_at() + index(i)] * d;
   }
-  m.position = held + slid - k.rotation * node.anchor;
-  const Vector3 pivot = node.child_slides ? held : Vector3(held + slid);
+  const Vector3 off = offset(node, q, kinematics);
+  if (!node.offset.isZero(0)) slip += rate[0] * (above.rotation * node.first).cross(off);
+  m.position = held + slid + off - k.rotation * node.anchor;
+  const Vector3 pivot = node.child_slides ? held : Vector3(held + slid + off);
   k.velocity = above.velocity + above.angular_velocity.cross(pivot - centre) + slip +
                k.angular_velocity.cross(m.position - pivot);
   m.momentum = body.mass * k.velocity;
@@ -372,11 +381,38 @@ void Trees::find_space(const Node& node, const Real* y) {
     for (int i = 0; i < 3; ++i) turn_about(Vector3::Unit(i));
     carried += (k.angular_velocity - w_above).cross(r_rate);
   }
+  if (!node.offset.isZero(0)) return find_offset_space(node, y);
   if (node.angles > 0) turn_at_rate(above.rotation * node.first, w_above);
   if (node.angles > 1) turn_at_rate(k.rotation * node.second_axis, k.angular_velocity);
   if (node.angles > 2)
     turn_at_rate(axis_between(node, y + node.at + node.slides, kinematics_.data()),
                  w_above + rate[node.slides] * (above.rotation * node.first));
+  set(a.change, 0, turned, carried);
+}
+
+// The same of two turns about axes that do not meet: about e_0 through the parent's point, and about e_1, which is farther by
+// what the first carries, through the body's.  With r_i from there to the centre:  r_0' = v - that of the parent's point,
+// r_1' = r_0' - (w_p + e_0 q_0') x offset.
+void Trees::find_offset_space(const Node& node, const Real* y) {
+  Articulated& a = articulated_[index(node.body)];
+  const Motion& m = motions_[index(node.body)];
+  const Kinematics &k = kinematics_[index(node.body)], &above = kinematics_[node.above];
+  const Vector3 centre = motions_[node.above].position, w_above = above.angular_velocity,
+                point = centre + above.rotation * node.parent_anchor;
+  const Real* rate = y + node.rates_at();
+  const Vector3 first = above.rotation * node.first, second = k.rotation * node.second_axis;
+  const Vector3 w_between = w_above + rate[0] * first, off = offset(node, y + node.at, kinematics_.data());
+  a.shift = m.position - centre;
+  Vector3 turned = Vector3::Zero(), carried = w_above.cross(k.velocity - above.velocity);
+  const auto turn = [&](int column, const Vector3& e, const Vector3& w_carrier, const Vector3& r,
+                        const Vector3& r_rate) {
+    const Vector3 change = rate[column] * w_carrier.cross(e);
+    turned += change, carried += change.cross(r) + rate[column] * e.cross(r_rate);
+    set(a.space, column, e, e.cross(r));
+  };
+  const Vector3 r = m.position - point, r_rate = k.velocity - above.velocity - w_above.cross(point - centre);
+  turn(0, first, w_above, r, r_rate);
+  turn(1, second, k.angular_velocity, r - off, r_rate - w_between.cross(off));
   set(a.change, 0, turned, carried);
 }
 

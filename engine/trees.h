@@ -63,6 +63,7 @@ class Trees {
     Vector3 third;            // the same, of a turn between the two
     Vector3 second_axis;      // the same as second, in those of the body
     Quaternion relative;      // body to parent, at angles 0
+    Vector3 offset = Vector3::Zero();  // what the first turn carries: from its point to the body's, at angles 0
     std::size_t at = 0;       // in y
     std::size_t members = 0;  // of the tree that begins here and hangs from nothing; else 0
     Real mass = 0;            // of that tree
@@ -92,11 +93,13 @@ class Trees {
   };
   Vector3 direction(const Node&, int, const Kinematics*) const;
   Vector3 axis_between(const Node&, const Real* angles, const Kinematics*) const;
+  Vector3 offset(const Node&, const Real* angles, const Kinematics*) const;
   int angle_of(const Node&, const CoordinateLaw&) const;
   Sums sums_of(const Node& root, const Motion*) const;
   void move_to_centre(const Node& root, const Real* y, Motion*, Kinematics*) const;
   void place_all(const Real* y, Motion*, Kinematics*) const;
   void find_space(const Node&, const Real* y);
+  void find_offset_space(const Node&, const Real* y);
   template <int N>
   void lean(const Node&, Articulated&);
   template <int N>

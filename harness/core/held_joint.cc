@@ -21,10 +21,11 @@ End end_of(const State& state, int body, const Vector3& anchor) {
 
 // Where a joint holds one of its ends: axes of the body, or a point of the world.
 Vector3 held_point(const Scene& scene, const Joint& joint, int end) {
-  if (end == world) return joint.point;
+  if (end == world) return end == joint.body ? held_point_of_body(joint) : joint.point;
   const BodyState& s = scene.bodies[static_cast<std::size_t>(end)].initial;
   if (kind_of(joint.type).joins_centres()) return Vector3::Zero();
-  return s.orientation.conjugate() * (joint.point - s.position);
+  const Vector3 point = end == joint.body ? held_point_of_body(joint) : joint.point;
+  return s.orientation.conjugate() * (point - s.position);
 }
 
 Vector3 rotation_vector(Quaternion q) {
@@ -74,6 +75,16 @@ void add_place(const HeldJoint& j, const End& a, const End& b, std::vector<Joint
     case JointPlace::in_plane:
       add_carried(j, a, b, b.orientation * j.to_axis, rows);
       return;
+    case JointPlace::along_normal: {
+      // c = d - l h x u:  with h.u = 0,  (h x u)' = (w_b x h) x u + h x (w_a x u) = h (u.w_b) - u (h.w_a)
+      const Vector3 h = b.orientation * j.to_axis, u = a.orientation * j.axis_2;
+      const Vector3 off = apart - j.length * h.cross(u);
+      for (int k = 0; k < 3; ++k) {
+        add(Vector3::Unit(k), off[k]);
+        rows.back().spin += j.length * u[k] * h, rows.back().to_spin += j.length * h[k] * u;
+      }
+      return;
+    }
   }
 }
 
@@ -136,6 +147,11 @@ Quaternion turn_at_start(const Scene& scene, int body) {
 
 }  // namespace
 
+Vector3 held_point_of_body(const Joint& joint) {
+  if (kind_of(joint.type).place != JointPlace::along_normal) return joint.point;
+  return joint.point + joint.length * joint.axis.cross(joint.axis_2.value_or(Vector3::UnitX()));
+}
+
 HeldJoint held_joint(const Scene& scene, const Joint& joint) {
   const auto in_axes_of = [&](int body, const Vector3& axis) {
     return body == world ? axis : Vector3(turn_at_start(scene, body).conjugate() * axis);
@@ -188,6 +204,8 @@ double open_by(const Scene& scene, const Joint& joint, const State& state) {
     }
     case JointPlace::in_plane:
       return std::abs(axis.dot(apart));
+    case JointPlace::along_normal:
+      return (apart - held.length * axis.cross(a.orientation * held.axis_2)).norm();
   }
   return apart.norm();
 }
@@ -231,6 +249,11 @@ RelativeMotion forbidden(const Joint& joint, const Vector3& apart, const Relativ
     case JointPlace::in_plane:
       part.velocity = along(axis, v);
       break;
+    case JointPlace::along_normal: {  // the point of `body` turns about `axis`, at a distance from it
+      const Vector3 normal = axis.cross(joint.axis_2.value_or(Vector3::UnitX()));
+      part.velocity -= axis.dot(w) * axis.cross(joint.length * normal);
+      break;
+    }
   }
   switch (kind.turn) {
     case JointTurn::freely:

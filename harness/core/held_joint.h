@@ -44,6 +44,9 @@ struct JointRow {
 /// Adds the rows of a joint: what its place keeps, then what its turn does, then that it screws.
 void add_rows(const HeldJoint&, const State&, std::vector<JointRow>&);
 
+/// Where a joint of the scene holds `body` at t = 0, world coordinates [m]: its point, but of one with an offset.
+Vector3 held_point_of_body(const Joint&);
+
 /// How far a joint of the scene is open [m]: distance of the two points, what it is off its length by, or of the one
 /// point from the line or the plane that the other carries; of a screw also what its displacement is off by.
 double open_by(const Scene&, const Joint&, const State&);
@@ -59,7 +62,8 @@ struct RelativeMotion {
   Vector3 spin = Vector3::Zero();      ///< [rad/s]
 };
 
-/// The part of a motion at t = 0 that a joint forbids; `apart` [m] from the point on `to` to that on `body`.
+/// The part of a motion at t = 0 that a joint forbids; `apart` [m] from the point on `to` to that on `body`.  Of a joint with
+/// an offset, both velocities are at the point on `body`.
 RelativeMotion forbidden(const Joint&, const Vector3& apart, const RelativeMotion&);
 
 }  // namespace cylon::core

@@ -9,14 +9,15 @@
 
 namespace cylon::core {
 
-enum class JointType { ball, hinge, distance, fixed, slider, cylindrical, planar, universal, screw, gimbal };
+enum class JointType { ball, hinge, distance, fixed, slider, cylindrical, planar, universal, screw, gimbal, rectangular, offset_universal };
 
 /// What a joint keeps of the two points that it joins; d is from the point on `to` to that on `body`.
 enum class JointPlace {
   together,   ///< They coincide.
   at_length,  ///< Their distance is `length`.  The points are centres of mass, or one is a point of the world.
   along_axis,  ///< d is parallel to `axis`.
-  in_plane     ///< d is square to `axis`.
+  in_plane,    ///< d is square to `axis`.
+  along_normal  ///< d is `length` times axis x axis_2.
 };
 
 /// How the two bodies of a joint may turn against each other.
@@ -36,7 +37,8 @@ struct JointKind {
   bool screws = false;  ///< The one displacement is `pitch` times the one angle.
 
   constexpr bool has_axis() const {
-    return turns_about_axis() || turns_between_axes() || place == JointPlace::along_axis;
+    return turns_about_axis() || turns_between_axes() || place == JointPlace::along_axis ||
+           place == JointPlace::in_plane;
   }
   constexpr bool has_second_axis() const { return turns_between_axes() || place == JointPlace::in_plane; }
   /// About an axis that `to` carries and one that `body` carries.
@@ -51,7 +53,9 @@ struct JointKind {
   constexpr bool has_square_axes() const { return has_second_axis() && turn != JointTurn::about_three_axes; }
   /// Joins the centres of mass, or one and a point of the world; else both bodies at one point.
   constexpr bool joins_centres() const { return place == JointPlace::at_length; }
-  constexpr bool has_length() const { return place == JointPlace::at_length; }
+  constexpr bool has_length() const {
+    return place == JointPlace::at_length || place == JointPlace::along_normal;
+  }
   /// The one rotation that is left is about the axis.
   constexpr bool turns_about_axis() const { return turn == JointTurn::about_axis; }
 
@@ -78,6 +82,9 @@ inline constexpr std::array joint_kinds = {
     JointKind{JointType::universal, "universal", JointPlace::together, JointTurn::about_two_axes},
     JointKind{JointType::screw, "screw", JointPlace::along_axis, JointTurn::about_axis, true},
     JointKind{JointType::gimbal, "gimbal", JointPlace::together, JointTurn::about_three_axes},
+    JointKind{JointType::rectangular, "rectangular", JointPlace::in_plane, JointTurn::never},
+    JointKind{JointType::offset_universal, "offset_universal", JointPlace::along_normal,
+              JointTurn::about_two_axes},
 };
 static_assert([] {
   for (std::size_t i = 0; i < joint_kinds.size(); ++i)

@@ -40,6 +40,7 @@ struct Motion {
   const char* type;  // "hinge", "slide", "ball"
   Vector3 axis = Vector3::Zero();
   core::Ordinal which = core::Ordinal::first;
+  std::optional<Vector3> point = {};  // where it is not the joint's
 
   bool slides() const { return std::string_view(type) == "slide"; }
 };
@@ -68,6 +69,10 @@ std::vector<Motion> motions_of(const Joint& joint) {
       return {{"slide", joint.axis}, {"hinge", joint.axis}};
     case JointType::universal:
       return {{"hinge", joint.axis}, {"hinge", *joint.axis_2, second}};
+    case JointType::offset_universal:
+      return {{"hinge", joint.axis}, {"hinge", *joint.axis_2, second, core::held_point_of_body(joint)}};
+    case JointType::rectangular:
+      return {{"slide", *joint.axis_2}, {"slide", joint.axis.cross(*joint.axis_2), second}};
     case JointType::gimbal:
       return {{"hinge", joint.axis},
               {"hinge", joint.axis.cross(*joint.axis_2).normalized(), third},
@@ -290,7 +295,7 @@ class Writer {
           is_named ? unique(joint.name.empty() ? fmt::format("joint {}", number) : joint.name, names_) : "";
       if (is_named) set(made, "name", name);
       set(made, "type", m.type);
-      set(made, "pos", Vector3(back * (z_up(joint.point) - z_up(body.position))));
+      set(made, "pos", Vector3(back * (z_up(m.point.value_or(joint.point)) - z_up(body.position))));
       if (std::string_view(m.type) == "ball") {
         positions_.insert(positions_.end(), {1, 0, 0, 0});
         add_velocity(back * z_up(spin_at(joint)));

@@ -126,9 +126,10 @@ void tree(Dice& dice, Scene& scene, std::size_t kinds, bool laws) {
     joint.point = (from + body.initial.position) / 2;
     joint.axis = dice.direction();
     const core::JointKind& kind = core::kind_of(joint.type);
-    if (kind.has_length())
+    if (kind.joins_centres())
       joint.length = (body.initial.position - (parent == core::world ? joint.point : from)).norm();
     if (kind.has_second_axis()) joint.axis_2 = joint.axis.unitOrthogonal();
+    if (kind.place == core::JointPlace::along_normal) joint.length = dice.between(0.05, 0.3);
     if (kind.screws) joint.pitch = (dice.one_in(2) ? 1 : -1) * dice.between(0.05, 0.3);
     if (joint.type == core::JointType::fixed && parent == core::world && count == 1)
       joint.type = core::JointType::hinge;  // else nothing moves

@@ -134,12 +134,14 @@ core::Joint read_joint(const Table& t, Draft& draft) {
                                    square ? "not square" : "parallel", written(t.vector("axis"))));
     if (square) second = (second - second.dot(joint.axis) * joint.axis).normalized();
   }
+  if (kind.has_length() && !distance && !(joint.length > 0))
+    t.fail("length", "an offset universal joint needs a length > 0: without one it is a universal joint");
   if (kind.screws && joint.pitch == 0) t.fail("pitch", "pitch = 0: a screw without pitch is a hinge");
   check_coordinates(t, joint.displacements, kind.displacements());
   check_coordinates(t, joint.angles, kind.angles());
 
   const auto& bodies = draft.scene.bodies;
-  Vector3 from = joint.point, end = joint.point;
+  Vector3 from = core::held_point_of_body(joint), end = from;
   if (distance) {
     from = bodies[static_cast<std::size_t>(joint.body)].initial.position;
     if (joint.to != core::world) end = bodies[static_cast<std::size_t>(joint.to)].initial.position;

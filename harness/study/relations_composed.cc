@@ -333,6 +333,7 @@ void look_from_other_body(Joint& j) {
     if (!between_axes(c)) core::reverse(c);
   if (!kind.turns_between_axes()) return;
   // (R(h, a) R(u, b))^T = R(u, -b) R(h, -a);  the angle between h and u is that between u and h.
+  j.point = core::held_point_of_body(j);
   std::swap(j.axis, *j.axis_2);
   for (core::JointAngle& c : j.angles)
     if (!between_axes(c))

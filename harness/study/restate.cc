@@ -94,9 +94,14 @@ class Rule {
   // along, so that the angle between two axes stays.
   void mirror(core::Joint& joint) const {
     if (c_.turn.determinant() > 0) return;
-    if (core::kind_of(joint.type).screws) joint.pitch = -joint.pitch;
+    const core::JointKind& kind = core::kind_of(joint.type);
+    if (kind.screws) joint.pitch = -joint.pitch;
+    // An offset is towards the product of the axes: of one of which the other direction is taken.
+    const bool turned = kind.place == core::JointPlace::along_normal;
+    if (turned) joint.axis = -joint.axis;
     for (core::JointAngle& angle : joint.angles)
-      if (angle.which != core::Ordinal::third) core::reverse(angle);
+      if (angle.which != core::Ordinal::third && !(turned && angle.which == core::Ordinal::first))
+        core::reverse(angle);
     for (core::JointDisplacement& displacement : joint.displacements)
       if (displacement.which == core::Ordinal::second) core::reverse(displacement);
   }

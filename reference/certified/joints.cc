@@ -51,6 +51,42 @@ struct Rows {
     }
   }
 
+  // The second derivative of  x_a - x_b - l h x u,  h fixed in `to`, u in `body`, the point of `body` as far away at the start:
+  //   h" = a_h x h + w_b x (w_b x h),  u" the same of `body`,  (h x u)" = h" x u + 2 h' x u' + h x u"
+  void along_normal(const core::Joint& joint) {
+    const Vector h_start = b.vector(joint.axis), u_start = b.vector(*joint.axis_2),
+                 point = b.vector(joint.point),
+                 far = point + b.number(joint.length) * cross(h_start, u_start);
+    const End a = end(joint.body, 1), to = end(joint.to, -1);
+    const auto now_of = [&](const End& e, const Vector& start) {
+      return e.at ? e.at->rotation * fixed_in(e, start) : start;
+    };
+    const auto spin_of = [&](const End& e) { return moves(e) ? e.at->rotation * e.at->spin : b.zero(); };
+    const Vector h = now_of(to, h_start), u = now_of(a, u_start), w_a = spin_of(a), w_b = spin_of(to);
+    const Vector h_rate = cross(w_b, h), u_rate = cross(w_a, u);
+    const Vector change = cross(cross(w_b, h_rate), u) + b.exact(2) * cross(h_rate, u_rate) +
+                          cross(h, cross(w_a, u_rate));
+    const Expr length = b.number(joint.length);
+    for (std::size_t i = 0; i < 3; ++i) {
+      Vector unit = b.zero();
+      unit[i] = b.exact(1);
+      Row row{{}, -(length * change[i])};
+      for (const End& e : {a, to}) {
+        if (!moves(e)) continue;
+        const Vector arm = fixed_in(e, (e.sign > 0 ? far : point) - e.start->position);
+        const Vector along = e.at->rotation[i];  // world axis i in body axes
+        // Of  -l (h x u)"  what the accelerations of the two turns make:  (h x (w x u)).e = w.(u x (e x h)),
+        // ((w x h) x u).e = w.(h x (u x e))
+        const Vector of_turn = e.sign > 0 ? cross(u, cross(unit, h)) : cross(h, cross(u, unit));
+        row.parts.push_back({e.body, b.exact(e.sign) * unit,
+                             b.exact(e.sign) * cross(arm, along) -
+                                 length * (transposed(e.at->rotation) * of_turn)});
+        row.rest = signed_sum(row.rest, e.sign, dot(along, cross(e.at->spin, cross(e.at->spin, arm))));
+      }
+      rows.push_back(row);
+    }
+  }
+
   // A direction s fixed in the one body stays perpendicular to a direction e fixed in the other: (s . e)'' =
   // s'' . e + 2 s' . e' + s . e'', with s = R s_b and s'' = R (w' x s_b + w x (w x s_b)).
   void perpendicular(const core::Joint& joint, const Vector& first, const Vector& second) {
@@ -209,6 +245,8 @@ struct Rows {
         return along_axis(joint);
       case core::JointPlace::in_plane:
         return rows.push_back(carried(joint, b.vector(joint.axis)));
+      case core::JointPlace::along_normal:
+        return along_normal(joint);
     }
   }
 

@@ -154,10 +154,11 @@ std::unique_ptr<btTypedConstraint> make_six(const core::Joint& joint, btRigidBod
     six.turns(2, angle(first)), six.turns(0, angle(second));
     return six.made();
   }
-  if (joint.type == JointType::planar) {
+  if (core::kind_of(joint.type).place == core::JointPlace::in_plane) {
     SixFreedoms six(to, body, frame_in(to, joint.axis, *joint.axis_2, origin),
                     frame_in(body, joint.axis, *joint.axis_2, origin), erp);
-    six.slides(1, displacement(first)), six.slides(2, displacement(second)), six.turns(0, angle(first));
+    six.slides(1, displacement(first)), six.slides(2, displacement(second));
+    if (joint.type == JointType::planar) six.turns(0, angle(first));
     return six.made();
   }
   SixFreedoms six(to, body, frame_in(to, joint, origin), frame_in(body, joint, origin), erp);
@@ -211,7 +212,7 @@ Reason against_stops(const core::JointAngle& c, const std::string& of) {
 }
 
 Reason against_two_movers(const core::Joint& joint, const std::string& of, bool ahead) {
-  if (joint.type == JointType::planar)
+  if (core::kind_of(joint.type).place == core::JointPlace::in_plane)
     return fmt::format(
         "Bullet's joint of six freedoms pushes each of two moving bodies at its own point "
         "(BulletDynamics/ConstraintSolver/btGeneric6DofSpring2Constraint.h:311), and {} would turn them.",
@@ -254,7 +255,7 @@ Reason unsupported(const core::Scene& scene, const core::Joint& joint, bool ahea
     if (Reason reason = against_stops(c, of)) return reason;
   }
   if (!still(joint.body) && !still(joint.to)) return against_two_movers(joint, of, ahead);
-  if (joint.type != JointType::planar || still(joint.to)) return {};
+  if (core::kind_of(joint.type).place != core::JointPlace::in_plane || still(joint.to)) return {};
   for (const core::JointDisplacement& c : joint.displacements)
     if (resists(c))
       return fmt::format(
@@ -286,10 +287,12 @@ std::unique_ptr<btTypedConstraint> make_joint(const core::Joint& joint, btRigidB
     case JointType::cylindrical:
       return both ? make_slider(joint, body, other, stops) : make_six(joint, body, other, stops.erp);
     case JointType::planar:
+    case JointType::rectangular:
     case JointType::universal:
       return make_six(joint, body, other, stops.erp);
     case JointType::distance:
     case JointType::screw:
+    case JointType::offset_universal:
       break;
   }
   return nullptr;

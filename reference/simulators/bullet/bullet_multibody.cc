@@ -172,6 +172,8 @@ class TreeBody {
       case core::JointType::cylindrical:
       case core::JointType::universal:
       case core::JointType::screw:
+      case core::JointType::rectangular:
+      case core::JointType::offset_universal:
         throw std::logic_error("the multibody path was asked for a joint that it refuses");
     }
   }
@@ -286,6 +288,8 @@ std::unique_ptr<btMultiBodyConstraint> closing(const core::Joint& joint, btMulti
     case core::JointType::planar:
     case core::JointType::universal:
     case core::JointType::screw:
+    case core::JointType::rectangular:
+    case core::JointType::offset_universal:
       break;
   }
   throw std::logic_error("the multibody path was asked to close a loop by a joint that it refuses");

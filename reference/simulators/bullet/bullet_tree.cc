@@ -115,7 +115,7 @@ std::optional<std::string> untreelike(const core::Scene& scene, const core::Join
   if (closes && !is_ball && type != JointType::fixed)
     return fmt::format(
         "This adapter closes loops of a btMultiBody by balls and fixed joints, and {} closes one.", of);
-  if (type == JointType::cylindrical || type == JointType::universal)
+  if (type == JointType::cylindrical || type == JointType::universal || type == JointType::rectangular)
     return fmt::format(
         "btMultiBody has no joint of these two freedoms (BulletDynamics/Featherstone/btMultiBodyLink.h, "
         "eFeatherstoneJointType), and a link without mass between two is singular: {}.",

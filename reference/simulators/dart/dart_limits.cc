@@ -27,7 +27,10 @@ const core::Body& body(const Scene& scene, int i) { return scene.bodies[static_c
 // ---- Joints -------------------------------------------------------------------------------------------
 
 // What hangs a body from another, and what closes a loop; a kind that stands in neither is not known here.
-bool hangs(JointType type) { return type != JointType::cylindrical && type != JointType::distance; }
+bool hangs(JointType type) {
+  return type != JointType::cylindrical && type != JointType::distance && type != JointType::rectangular &&
+         type != JointType::offset_universal;
+}
 bool closes(JointType type) { return core::kind_of(type).turns_freely() || type == JointType::fixed; }
 
 // Stops and dry friction.

@@ -25,6 +25,8 @@ Joint::Place place_of(core::JointPlace place) {
       return Joint::Place::along_axis;
     case core::JointPlace::in_plane:
       return Joint::Place::in_plane;
+    case core::JointPlace::along_normal:
+      return Joint::Place::along_normal;
   }
   return Joint::Place::together;
 }

@@ -13,7 +13,7 @@ export const about = {
   name: 'crashcat', title: 'crashcat', build: 'JavaScript', precision: 'double',
   schemes: [{name: 'semi-implicit-euler', order: 1, conserves: 'linear momentum', adaptive: false}],
   gyroscopic: (values) => (values.gyro === 'on' ? 'explicit, of constant |L|' : 'none'),
-  joints: {types: ['ball', 'hinge', 'fixed', 'distance', 'slider', 'cylindrical', 'planar', 'universal'], limits: ['hinge', 'slider'],
+  joints: {types: ['ball', 'hinge', 'fixed', 'distance', 'slider', 'cylindrical', 'planar', 'rectangular', 'universal'], limits: ['hinge', 'slider'],
     friction: ['hinge', 'slider']},
   of_the_scene: [
     {name: 'mass, inertia', value: 'of the scene', engine_default: 'of the shape and its density',
@@ -235,6 +235,7 @@ class World {
       },
       cylindrical: () => this.add_six(joint, ends, at, ['TRANSLATION_X', 'ROTATION_X']),
       planar: () => this.add_six(joint, ends, at, ['TRANSLATION_Y', 'TRANSLATION_Z', 'ROTATION_X']),
+      rectangular: () => this.add_six(joint, ends, at, ['TRANSLATION_Y', 'TRANSLATION_Z']),
       universal: () => this.add_six(joint, ends, at, ['ROTATION_X', 'ROTATION_Z']),
       fixed: () => C.fixedConstraint.create(this.world,
         {...ends, point1: at, point2: at, axisX1: [1, 0, 0], axisX2: [1, 0, 0], axisY1: [0, 1, 0], axisY2: [0, 1, 0]}),

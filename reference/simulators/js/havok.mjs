@@ -19,7 +19,7 @@ export const about = {
   schemes: [{name: 'semi-implicit-euler', order: 1, conserves: 'linear momentum', adaptive: false}],
   gyroscopic: () => 'none',
   substeps: ({'ideal-step': ideal}, dt) => (ideal === 0 ? 4 : Math.min(8, Math.ceil(4 * dt / ideal - 1e-6))),
-  joints: {types: ['ball', 'hinge', 'fixed', 'slider', 'cylindrical', 'planar', 'universal'], limits: ['hinge', 'slider'],
+  joints: {types: ['ball', 'hinge', 'fixed', 'slider', 'cylindrical', 'planar', 'rectangular', 'universal'], limits: ['hinge', 'slider'],
     friction: ['hinge', 'slider'],
     why: {distance: 'Havok takes no limit of LINEAR_DISTANCE (HP_Constraint_SetAxisMode answers RESULT_INVALIDARGS): it keeps no distance.'}},
   of_the_scene: [
@@ -304,6 +304,7 @@ class World {
       ball: linear, hinge: [...linear, A.ANGULAR_Y, A.ANGULAR_Z], fixed: [...linear, ...angular],
       slider: [A.LINEAR_Y, A.LINEAR_Z, ...angular], cylindrical: [A.LINEAR_Y, A.LINEAR_Z, A.ANGULAR_Y, A.ANGULAR_Z],
       planar: [A.LINEAR_X, A.ANGULAR_Y, A.ANGULAR_Z], universal: [...linear, A.ANGULAR_Z],
+      rectangular: [A.LINEAR_X, ...angular],
     }[kept(joint)];
     const made = got(H, H.HP_Constraint_Create());
     this.constraints.push(made);

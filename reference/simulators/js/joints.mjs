@@ -6,7 +6,8 @@ import {across, add, conjugate, cross, dot, multiply, norm, rotate, scale, sub} 
 /** Displacements and angles that a kind leaves free and on which something may act; a ball's turns are none. */
 const free = {
   slider: {displacement: 1, angle: 0}, cylindrical: {displacement: 1, angle: 1}, planar: {displacement: 2, angle: 1},
-  universal: {displacement: 0, angle: 2}, gimbal: {displacement: 0, angle: 3}, screw: {displacement: 1, angle: 1}, hinge: {displacement: 0, angle: 1},
+  universal: {displacement: 0, angle: 2}, gimbal: {displacement: 0, angle: 3},
+  offset_universal: {displacement: 0, angle: 2}, rectangular: {displacement: 2, angle: 0}, screw: {displacement: 1, angle: 1}, hinge: {displacement: 0, angle: 1},
 };
 
 export const has_limit = (c) => c.lower !== undefined || c.upper !== undefined;
@@ -15,7 +16,7 @@ export const has_force = (c) => c.force !== 0 || c.stiffness !== 0 || c.damping 
 /** What a joint keeps from moving: a gimbal's angles are counted, and it turns as a ball does. */
 export const kept = ({type}) => (type === 'gimbal' ? 'ball' : type);
 /** Kinds that turn about an axis of `to` and one of `body`. */
-export const between_axes = ['universal', 'gimbal'];
+export const between_axes = ['universal', 'gimbal', 'offset_universal'];
 export const ordinals = ['first', 'second', 'third'];
 
 /** {slides, which: 0, 1, 2, acts} of each coordinate that a joint leaves free, displacements first; `acts` is the scene's, or
@@ -44,6 +45,13 @@ export function held_coordinate(joint, other_way = false) {
   return {...range(acts), limited: has_limit(acts), restitution: acts.restitution, friction: acts.friction};
 }
 
+/** Where a joint holds `body` at t = 0, world coordinates: its point, but of one with an offset. */
+export function point_of_body(joint) {
+  if (joint.type !== 'offset_universal') return joint.point;
+  const [, , normal] = frame_of(joint);
+  return add(joint.point, scale(joint.length, normal));
+}
+
 /** Right-handed axes of a joint: x the stated axis; y its second, of a gimbal the part square to the first, or any across it. */
 export function frame_of(joint) {
   const unit = (v) => scale(1 / norm(v), v), x = unit(joint.axis), square = (v) => sub(v, scale(dot(v, x), x));
@@ -61,7 +69,7 @@ export function reversed(c) {
 /** The words of the protocol for what an engine has: {types, limits, friction: kinds of joints, rotors: whether it has them,
  *  counts_turns: of limits, why: reasons by kind}. */
 export const known_joints = ({types, limits, friction, rotors}) => [
-  ...['slider', 'cylindrical', 'planar', 'universal', 'screw', 'gimbal'].filter((type) => types.includes(kept({type}))).map((type) => `${type}_joints`),
+  ...['slider', 'cylindrical', 'planar', 'universal', 'screw', 'gimbal', 'rectangular', 'offset_universal'].filter((type) => types.includes(kept({type}))).map((type) => `${type}_joints`),
   'joint_forces', 'joint_targets', ...(limits.length ? ['joint_limits'] : []), ...(friction.length ? ['joint_friction'] : []), ...(rotors ? ['joint_armature'] : [])];
 
 /** Throws Unsupported where a joint has what the engine has not. */
@@ -92,10 +100,10 @@ class Held {
   constructor(scene, joint) {
     const turn = (i) => (i < 0 ? [1, 0, 0, 0] : scene.bodies[i].orientation);
     const in_axes = (i, v) => v && rotate(conjugate(turn(i)), scale(1 / Math.hypot(...v), v));
-    const anchor = (i) => (i < 0 ? joint.point : rotate(conjugate(turn(i)), sub(joint.point, scene.bodies[i].position)));
+    const anchor = (i, point) => (i < 0 ? point : rotate(conjugate(turn(i)), sub(point, scene.bodies[i].position)));
     this.joint = joint;
     this.second_axis = joint.axis_2 !== undefined;
-    this.anchor = anchor(joint.body), this.to_anchor = anchor(joint.to);
+    this.anchor = anchor(joint.body, point_of_body(joint)), this.to_anchor = anchor(joint.to, joint.point);
     this.to_axis = in_axes(joint.to, joint.axis), this.to_axis_2 = in_axes(joint.to, joint.axis_2);
     this.axis_2 = in_axes(joint.body, joint.axis_2);
     this.turn = multiply(conjugate(turn(joint.to)), turn(joint.body));

@@ -13,7 +13,7 @@ export const about = {
   name: 'jolt', title: 'Jolt', build: 'WebAssembly', native: 'native code of C++', precision: 'float',
   schemes: [{name: 'semi-implicit-euler', order: 1, conserves: 'linear momentum', adaptive: false}],
   gyroscopic: (values) => (values.gyro === 'on' ? 'explicit, of constant |L|' : 'none'),
-  joints: {types: ['ball', 'hinge', 'fixed', 'distance', 'slider', 'cylindrical', 'planar', 'universal'], limits: ['hinge', 'slider'],
+  joints: {types: ['ball', 'hinge', 'fixed', 'distance', 'slider', 'cylindrical', 'planar', 'rectangular', 'universal'], limits: ['hinge', 'slider'],
     friction: ['hinge', 'slider']},
   of_the_scene: [
     {name: 'mass, inertia', value: 'of the scene', engine_default: 'of the shape and its density', reason: 'the scene has its own'},
@@ -76,7 +76,7 @@ export const about = {
 
 const is_on = (word) => word === 'on';
 const largest = 3.4e38;        // of single precision
-const in_six = ['cylindrical', 'planar', 'universal'];
+const in_six = ['cylindrical', 'planar', 'rectangular', 'universal'];
 const plane_extent = 1e4;      // [m]
 const most_manifolds = 20000;  // 472 bytes each of the temporary allocator's 10 MB; 30000 abort the module
 const layer = {still: 0, moving: 1, ghost: 2};
@@ -363,6 +363,7 @@ class World {
       },
       cylindrical: () => this.six_axes(joint, place, ['TranslationX', 'RotationX']),
       planar: () => this.six_axes(joint, place, ['TranslationY', 'TranslationZ', 'RotationX']),
+      rectangular: () => this.six_axes(joint, place, ['TranslationY', 'TranslationZ']),
       universal: () => this.six_axes(joint, place, ['RotationX', 'RotationZ']),
     }[kept(joint)];
     const settings = set();

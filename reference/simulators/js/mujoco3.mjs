@@ -18,8 +18,9 @@ export const about = {
     {name: 'rk4', order: 4, conserves: 'nothing in particular; order 2 where a body turns freely, 1 with contacts or applied forces', adaptive: false},
   ],
   gyroscopic: (values) => (values.integrator === 'implicit' ? 'implicit' : 'explicit'),
-  joints: {types: ['ball', 'hinge', 'fixed', 'distance', 'slider', 'cylindrical', 'planar', 'universal'], limits: ['hinge', 'slider', 'cylindrical', 'planar', 'universal', 'gimbal'],
-    friction: ['hinge', 'slider', 'cylindrical', 'planar', 'universal', 'gimbal'], rotors: true, counts_turns: true},
+  joints: {types: ['ball', 'hinge', 'fixed', 'distance', 'slider', 'cylindrical', 'planar', 'universal', 'rectangular', 'offset_universal'],
+    limits: ['hinge', 'slider', 'cylindrical', 'planar', 'universal', 'gimbal', 'rectangular', 'offset_universal'],
+    friction: ['hinge', 'slider', 'cylindrical', 'planar', 'universal', 'gimbal', 'rectangular', 'offset_universal'], rotors: true, counts_turns: true},
   of_the_scene: [
     {name: 'inertial', value: 'of the scene', engine_default: 'of the geoms and their density', reason: 'diaginertia in principal axes'},
     {name: 'friction, condim', value: 'of the pair', engine_default: "the larger of both geoms', 3",
@@ -130,7 +131,7 @@ class World {
     const turning = scene.bodies.some((body, i) => {
       const node = forest.nodes[i];
       if (body.locked) return false;
-      return node.joint < 0 ? !is_zero(body.spin) || node.children.length > 0 : ['ball', 'universal', 'gimbal'].includes(scene.joints[node.joint].type);
+      return node.joint < 0 ? !is_zero(body.spin) || node.children.length > 0 : ['ball', 'universal', 'gimbal', 'offset_universal'].includes(scene.joints[node.joint].type);
     });
     return turning ? 2 : 4;
   }

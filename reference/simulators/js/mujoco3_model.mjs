@@ -1,6 +1,6 @@
 // A prepared scene as MuJoCo's XML, with all digits; what MuJoCo cannot hold is refused.  After
 // reference/simulators/mujoco/mujoco_model.cc, for MuJoCo 3.
-import {between_axes, coordinates, frame_of, has_limit, is_ball, range, rates_at_start, reversed} from './joints.mjs';
+import {between_axes, coordinates, frame_of, has_limit, is_ball, point_of_body, range, rates_at_start, reversed} from './joints.mjs';
 import {Unsupported} from './scene.mjs';
 import {add, conjugate, multiply, norm, rotate, scale, sub} from './vectors.mjs';
 
@@ -36,7 +36,8 @@ export function axes_of(scene, joint, other_way) {
   const [x, y, z] = frame_of(joint), rates = rates_at_start(scene, joint), second = joint.type === 'gimbal' ? joint.axis_2 : y;
   const list = coordinates(joint).map(({slides, which, acts}, k) => ({
     slides, acts: acts && other_way ? reversed(acts) : acts, rate: other_way ? -rates[k] : rates[k],
-    axis: (joint.type === 'planar' && slides ? [y, z] : [x, second, z])[which]}));
+    axis: (joint.type === 'planar' || joint.type === 'rectangular' ? (slides ? [y, z] : [x]) : [x, second, z])[which],
+    point: which === 1 ? point_of_body(joint) : joint.point}));
   if (joint.type === 'gimbal') list.splice(1, 0, list.pop());
   return between_axes.includes(joint.type) && other_way ? list.reverse() : list;
 }
@@ -50,7 +51,7 @@ function require_joints(scene, forest) {
     const of = `The ${joint.type} joint of '${scene.bodies[joint.body].name}'`;
     if (forest.loops.includes(j) && (!closes.includes(joint.type) || acts))
       throw new Unsupported(`${of} closes a loop, which this adapter closes by balls, hinges and fixed joints without limits, friction and rotors.`);
-    if (joint.type === 'planar' && coordinates(joint).some(({acts}) => acts) && forest.nodes[joint.body].joint !== j)
+    if (['planar', 'rectangular'].includes(joint.type) && coordinates(joint).some(({acts}) => acts) && forest.nodes[joint.body].joint !== j)
       throw new Unsupported(`${of} hangs '${scene.bodies[joint.to].name}' from it, and MuJoCo's displacements are of the parent's axes.`);
   });
 }
@@ -141,11 +142,11 @@ class Writer {
 
   // A fixed joint is none: the body is part of its parent.
   joint(body, joint, other_way) {
-    const back = conjugate(body.orientation), point = joint.point && t(rotate(back, sub(joint.point, body.position)));
-    if (is_ball(joint)) this.out.push(`<joint type="ball" pos="${point}"/>`);
+    const back = conjugate(body.orientation), local = (point) => t(rotate(back, sub(point, body.position)));
+    if (is_ball(joint)) this.out.push(`<joint type="ball" pos="${local(joint.point)}"/>`);
     if (is_ball(joint) || joint.type === 'fixed') return;
-    for (const {slides, axis, acts} of axes_of(this.scene, joint, other_way))
-      this.out.push(`<joint type="${slides ? 'slide' : 'hinge'}" pos="${point}" axis="${t(rotate(back, axis))}"${acts ? this.stops(acts) : ''}/>`);
+    for (const {slides, axis, acts, point} of axes_of(this.scene, joint, other_way))
+      this.out.push(`<joint type="${slides ? 'slide' : 'hinge'}" pos="${local(point)}" axis="${t(rotate(back, axis))}"${acts ? this.stops(acts) : ''}/>`);
   }
 
   // A limit on one side alone has the other beyond every coordinate that MuJoCo takes.

@@ -15,7 +15,7 @@ export const about = {
   name: 'physx', title: 'PhysX', build: 'WebAssembly', native: 'native code of C++', precision: 'float',
   schemes: [{name: 'semi-implicit-euler', order: 1, conserves: 'linear momentum', adaptive: false}],
   gyroscopic: (values) => (values.gyro === 'on' ? 'explicit, of constant |L|' : 'none'),
-  joints: {types: ['ball', 'hinge', 'fixed', 'distance', 'slider', 'cylindrical', 'planar', 'universal'], limits: ['hinge', 'slider'],
+  joints: {types: ['ball', 'hinge', 'fixed', 'distance', 'slider', 'cylindrical', 'planar', 'rectangular', 'universal'], limits: ['hinge', 'slider'],
     friction: ['hinge', 'slider']},
   of_the_scene: [
     {name: 'mass, inertia', value: 'of the scene', engine_default: 'of the shape and its density', reason: 'the scene has its own'},
@@ -141,7 +141,7 @@ const largest = 1e30;  // of a limit that is none
 const rigid = 1e10;    // of a drive's damper [N s/m]
 const x_axis = (engine) => engine.value('PxD6AxisEnum', 'eX');
 // The twist is about the x of the second end, which is `to`, and a swing about an axis of the first.
-const free_axes = {slider: ['eX'], cylindrical: ['eX', 'eTWIST'], planar: ['eY', 'eZ', 'eTWIST'], universal: ['eTWIST', 'eSWING2']};
+const free_axes = {slider: ['eX'], cylindrical: ['eX', 'eTWIST'], planar: ['eY', 'eZ', 'eTWIST'], rectangular: ['eY', 'eZ'], universal: ['eTWIST', 'eSWING2']};
 function axes_of(joint) {
   const [x, y, z] = frame_of(joint);
   return joint.type === 'universal' ? [x, scale(-1, z), y] : [x, y, z];  // the swing is about its second axis

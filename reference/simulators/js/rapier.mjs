@@ -10,7 +10,7 @@ export const about = {
   schemes: [{name: 'semi-implicit-euler', order: 1, conserves: 'linear momentum', adaptive: false}],
   gyroscopic: () => 'explicit, of constant |L|, in each substep',
   substeps: (values) => values['solver-iterations'],
-  joints: {types: ['ball', 'hinge', 'fixed', 'slider', 'cylindrical', 'planar'], limits: ['hinge', 'slider'],
+  joints: {types: ['ball', 'hinge', 'fixed', 'slider', 'cylindrical', 'planar', 'rectangular'], limits: ['hinge', 'slider'],
     friction: ['hinge', 'slider'],
     why: {distance: 'Rapier has no rigid joint of type distance.'}},
   of_the_scene: [
@@ -200,10 +200,11 @@ class World {
       slider: () => RAPIER.JointData.prismatic(local(a), local(b), {x: 1, y: 0, z: 0}),
       cylindrical: () => RAPIER.JointData.generic(local(a), local(b), {x: 1, y: 0, z: 0}, M.LinY | M.LinZ | M.AngY | M.AngZ),
       planar: () => RAPIER.JointData.generic(local(a), local(b), {x: 1, y: 0, z: 0}, M.LinX | M.AngY | M.AngZ),
+      rectangular: () => RAPIER.JointData.generic(local(a), local(b), {x: 1, y: 0, z: 0}, M.LinX | M.AngX | M.AngY | M.AngZ),
     }[kept(joint)];
     const made = this.world.createImpulseJoint(data(), this.bodies[joint.body], second ? this.bodies[joint.to] : this.ground, true);
     // An angle with limits is 0 where the scene starts: the frames are the same then.
-    if (['slider', 'cylindrical', 'planar'].includes(joint.type) || held_coordinate(joint)) {
+    if (['slider', 'cylindrical', 'planar', 'rectangular'].includes(joint.type) || held_coordinate(joint)) {
       const axes = quaternion_of(...frame_of(joint));
       made.setFrameX1(wxyz(multiply(conjugate(a.orientation), axes)));
       made.setFrameX2(wxyz(multiply(conjugate(b.orientation), axes)));

@@ -18,7 +18,8 @@ core::JointCoordinate acting(const std::vector<Coordinate>& list, Ordinal which)
 }  // namespace
 
 // Displacements first: their axes are those of the parent.  Of a universal joint R(axis, first) R(axis_2, second), and
-// from the other side R(axis_2, -second) R(axis, -first); of a gimbal with R(axis x axis_2, third) between the two.
+// from the other side R(axis_2, -second) R(axis, -first); of a gimbal with R(axis x axis_2, third) between the two.  Those of a
+// universal joint with an offset are each through the point of who carries it.
 std::vector<MujocoAxis> mujoco_axes(const core::Scene& scene, const Joint& joint, bool reversed) {
   const core::JointKind& kind = core::kind_of(joint.type);
   const core::HeldJoint held = core::held_joint(scene, joint);
@@ -29,7 +30,8 @@ std::vector<MujocoAxis> mujoco_axes(const core::Scene& scene, const Joint& joint
     MujocoAxis one{slides, which, axis,
                    slides ? acting(joint.displacements, which) : acting(joint.angles, which),
                    slides ? core::joint_displacement_rate(held, which, start)
-                          : core::joint_angle_rate(held, which, start)};
+                          : core::joint_angle_rate(held, which, start),
+                   which == Ordinal::second ? core::held_point_of_body(joint) : joint.point};
     if (reversed) core::reverse(one.acts), one.rate = -one.rate;
     axes.push_back(one);
   };

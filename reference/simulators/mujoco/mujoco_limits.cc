@@ -138,10 +138,10 @@ Reason against_joints(const Scene& scene) {
           "without limits, friction and rotors.",
           core::kind_of(joint.type).name, name);
     // Its displacements are of axes that `to` carries: MuJoCo's are of the parent.
-    if (joint.type == core::JointType::planar && core::acted_on(joint) &&
+    if (core::kind_of(joint.type).place == core::JointPlace::in_plane && core::acted_on(joint) &&
         forest.nodes[static_cast<std::size_t>(joint.body)].joint != static_cast<int>(j))
       return fmt::format(
-          "The planar joint of '{}' hangs '{}' from it, and MuJoCo's displacements are of the parent's axes.",
+          "The {} joint of '{}' hangs '{}' from it, and MuJoCo's displacements are of the parent's axes.",
           name, body(scene, joint.to).name);
   }
   return {};

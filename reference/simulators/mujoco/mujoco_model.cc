@@ -160,12 +160,12 @@ class Writer {
   // A fixed joint is none: the body is part of its parent.
   void write_joint(const core::Body& one, const core::Joint& joint, bool reversed) {
     const Quaternion back = one.initial.orientation.conjugate();
-    const std::string point = text(Vector3(back * (joint.point - one.initial.position)));
-    if (core::is_ball(joint)) put("<joint type=\"ball\" pos=\"{}\"/>\n", point);
+    const auto local = [&](const Vector3& point) { return text(Vector3(back * (point - one.initial.position))); };
+    if (core::is_ball(joint)) put("<joint type=\"ball\" pos=\"{}\"/>\n", local(joint.point));
     if (core::is_ball(joint) || joint.type == core::JointType::fixed) return;
     for (const MujocoAxis& coordinate : mujoco_axes(scene_, joint, reversed))
-      put("<joint type=\"{}\" pos=\"{}\" axis=\"{}\"{}/>\n", coordinate.slides ? "slide" : "hinge", point,
-          text(Vector3(back * coordinate.axis)), stops(coordinate.acts));
+      put("<joint type=\"{}\" pos=\"{}\" axis=\"{}\"{}/>\n", coordinate.slides ? "slide" : "hinge",
+          local(coordinate.point), text(Vector3(back * coordinate.axis)), stops(coordinate.acts));
   }
 
   // A limit on one side alone has the other beyond every coordinate that MuJoCo takes.

@@ -256,6 +256,8 @@ void Ode::add_joint(std::size_t index) {
     }
     case JointType::planar:
     case JointType::screw:
+    case JointType::rectangular:
+    case JointType::offset_universal:
       break;
   }
   throw std::logic_error("ODE was asked for a joint that it does not say it knows");

@@ -109,6 +109,8 @@ std::vector<double> rates_of(const core::Joint& joint, const Rotation& frame, co
       return {along(0, spin), along(1, spin)};
     case JointType::fixed:
     case JointType::distance:
+    case JointType::rectangular:  // which simbody_settings.cc does not say it knows
+    case JointType::offset_universal:
       return {};
   }
   return {};
@@ -137,6 +139,8 @@ SimTK::MobilizedBodyIndex hang_by(const core::Joint& joint, MobilizedBody& paren
       return by(std::type_identity<MobilizedBody::Screw>(), joint.pitch);
     case JointType::fixed:
     case JointType::distance:
+    case JointType::rectangular:  // which simbody_settings.cc does not say it knows
+    case JointType::offset_universal:
       break;
   }
   return by(std::type_identity<MobilizedBody::Weld>());
