@@ -51,6 +51,7 @@ struct Row {
   std::optional<JointType> type;  ///< None: the bodies are free of each other.
   int axis = -1, axis_2 = -1;     ///< Of which freedom; -1: none.
   bool (*fits)(const Freedoms&) = nullptr;
+  bool apart = false;  ///< The axes of its two turns do not meet.
 };
 
 constexpr auto square_axes = [](const Freedoms& f) { return at_right_angles(f[0], f[1]); };
@@ -79,6 +80,8 @@ constexpr std::array rows = {
     Row{"slide turn", JointType::cylindrical, 0, -1, one_line},
     Row{"turn slide", JointType::cylindrical, 0, -1, one_line},
     Row{"turn turn", JointType::universal, 0, 1, square_axes},
+    Row{"turn turn", JointType::offset_universal, 0, 1, square_axes, true},
+    Row{"slide slide", JointType::rectangular, -1, 0, square_axes},
     Row{"slide slide turn", JointType::planar, 2, 0, one_plane},
     Row{"turn turn turn", JointType::ball, -1, -1, every_turn},
     Row{"turn turn turn", JointType::gimbal, 0, 2, gimbal_axes},
@@ -108,7 +111,8 @@ void add_coordinate(const Freedom& f, core::Ordinal which, const core::Vector3& 
 void add_coordinates(const Joint& from, core::Joint& joint) {
   const core::Vector3 axis_2 = joint.axis_2.value_or(core::Vector3::Zero()),
                       across = joint.axis.cross(axis_2);
-  const core::Vector3 slides[] = {joint.type == JointType::planar ? axis_2 : joint.axis, across};
+  const bool in_plane = core::kind_of(joint.type).place == core::JointPlace::in_plane;
+  const core::Vector3 slides[] = {in_plane ? axis_2 : joint.axis, across};
   using enum core::Ordinal;
   const core::Vector3 turns[] = {joint.axis, axis_2, across};
   // In the order from `to` to `body`: of a gimbal the turn between its axes comes second.
@@ -128,8 +132,9 @@ void add_coordinates(const Joint& from, core::Joint& joint) {
 
 const Row* row_of(const Joint& joint) {
   const std::string motions = motions_of(joint);
-  const auto row = std::ranges::find_if(
-      rows, [&](const Row& r) { return r.motions == motions && (!r.fits || r.fits(joint.freedoms)); });
+  const auto row = std::ranges::find_if(rows, [&](const Row& r) {
+    return r.motions == motions && r.apart == (joint.offset != 0) && (!r.fits || r.fits(joint.freedoms));
+  });
   return row == rows.end() ? nullptr : &*row;
 }
 
@@ -213,6 +218,10 @@ std::vector<core::Joint> joints_of(Model& model) {
     if (row->axis >= 0) result.axis = joint.freedoms[static_cast<std::size_t>(row->axis)].axis;
     if (row->axis_2 >= 0) result.axis_2 = joint.freedoms[static_cast<std::size_t>(row->axis_2)].axis;
     if (result.type == JointType::screw) result.pitch = joint.freedoms.front().pitch;
+    if (result.type == JointType::rectangular)
+      result.axis = joint.freedoms[0].axis.cross(joint.freedoms[1].axis).normalized();
+    if (joint.offset < 0) result.axis = -result.axis;  // a length is positive, towards axis x axis_2
+    result.length = std::abs(joint.offset);
     add_coordinates(joint, result);
   }
   return joints;

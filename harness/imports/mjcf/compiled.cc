@@ -94,10 +94,10 @@ std::string Compiled::owner(std::string_view array, std::size_t i, std::size_t l
   const struct {
     std::string_view prefix;
     const char* kind;
-  } rows[] = {{"body_", "body"},   {"jnt_", "joint"},     {"geom_", "geom"},         {"pair_", "pair"},
-              {"eq_", "equality"}, {"tendon_", "tendon"}, {"actuator_", "actuator"}, {"xpos", "body"},
-              {"xquat", "body"},   {"xipos", "body"},     {"velocities", "body"},    {"xanchor", "joint"},
-              {"xaxis", "joint"}};
+  } rows[] = {{"body_", "body"},    {"jnt_", "joint"}, {"geom_", "geom"},     {"pair_", "pair"},
+              {"eq_", "equality"},  {"site_", "site"}, {"tendon_", "tendon"}, {"actuator_", "actuator"},
+              {"xpos", "body"},     {"xquat", "body"}, {"xipos", "body"},     {"velocities", "body"},
+              {"xanchor", "joint"}, {"xaxis", "joint"}};
   for (const auto& [prefix, kind] : rows)
     if (const std::size_t rows_of = at(count(kind)); array.starts_with(prefix) && rows_of > 0)
       return place(kind, static_cast<int>(i / std::max(length / rows_of, std::size_t{1}))).element;

@@ -5,7 +5,10 @@
 #include <fmt/format.h>
 #include <Eigen/QR>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace cylon::imports {
 namespace {
@@ -130,6 +133,23 @@ Vector3 nearest_point(const std::vector<Line>& lines) {
   return last + across.completeOrthogonalDecomposition().solve(sum);
 }
 
+// The line square to both meets the first at  p + (a.(q - p)) a  where the axes are square to each other; others no joint of a
+// scene has.
+void set_apart(const Line& first, const Line& second, Joint& joint) {
+  const Vector3 between = second.point - first.point;
+  joint.point = first.point + first.direction.dot(between) * first.direction;
+  joint.offset = first.direction.cross(second.direction).dot(between);
+}
+
+// Of the world with itself it is none.
+void add_loop(const Compiled& m, Joint joint, foreign::Model& model) {
+  if (end_of(m, joint.body) < 0) {
+    if (joint.to < 0) return;
+    joint.body = joint.to, joint.to = -1;
+  }
+  model.joints.push_back(std::move(joint));
+}
+
 void add_equality(const Compiled& m, int i, foreign::Model& model) {
   const auto lose = [&](const char* detail) {
     model.losses.push_back({"equality", m.place("equality", i), detail});
@@ -138,8 +158,30 @@ void add_equality(const Compiled& m, int i, foreign::Model& model) {
   const auto kind = static_cast<MjEquality>(m.integer("eq_type", i));
   if (kind != MjEquality::connect && kind != MjEquality::weld)
     return lose("between joints, tendons or flexes");
-  constexpr int of_body = 1;  // mjOBJ_BODY
-  if (m.integer("eq_objtype", i, of_body) != of_body) return lose("between sites");
+  Joint joint;
+  joint.place = m.place("equality", i);
+  joint.name = m.name("equality", i);
+  joint.may_touch = true;
+  constexpr double closed = 1e-6;  // [m], [rad]: what the compiler leaves of a loop that closes
+  constexpr int of_body = 1;       // mjOBJ_BODY; else mjOBJ_SITE, of frames in bodies that coincide
+  if (m.integer("eq_objtype", i, of_body) != of_body) {
+    const int sites[] = {m.integer("eq_obj1id", i), m.integer("eq_obj2id", i)};
+    foreign::Pose at[2];
+    for (int k = 0; k < 2; ++k) {
+      const int on = m.integer("site_bodyid", sites[k]);
+      at[k] = foreign::Pose{m.start_vector("xpos", on), m.start_quaternion("xquat", on)} *
+              foreign::Pose{m.vector("site_pos", sites[k]), m.quaternion("site_quat", sites[k])};
+    }
+    joint.body = m.integer("site_bodyid", sites[0]);
+    joint.to = end_of(m, m.integer("site_bodyid", sites[1]));
+    joint.point = at[0].position;
+    if ((at[0].position - at[1].position).norm() > closed) return lose("its points are apart at the start");
+    if (kind == MjEquality::connect)
+      joint.freedoms = {{.kind = "ball"}};
+    else if (at[0].turn.angularDistance(at[1].turn) > closed)
+      return lose("its bodies are not as it holds them at the start");
+    return add_loop(m, joint, model);
+  }
   const int body = m.integer("eq_obj1id", i), to = m.integer("eq_obj2id", i);
   const int columns = static_cast<int>(m.length("eq_data")) / m.size("neq");
   const auto datum = [&](int k) {
@@ -150,12 +192,7 @@ void add_equality(const Compiled& m, int i, foreign::Model& model) {
   const foreign::Pose second = {m.start_vector("xpos", to), m.start_quaternion("xquat", to)};
   // The first three numbers are the anchor on the first body, the next three that on the second; of a weld the other way
   // about, and then the relative orientation and the scale of its torque.
-  Joint joint;
-  joint.place = m.place("equality", i);
-  joint.name = m.name("equality", i);
   joint.body = body, joint.to = end_of(m, to);
-  joint.may_touch = true;
-  constexpr double closed = 1e-6;  // [m], [rad]: what the compiler leaves of a loop that closes
   if (kind == MjEquality::connect) {
     joint.point = first.position + first.turn * datum(0);
     if ((second.position + second.turn * datum(3) - joint.point).norm() > closed)
@@ -166,18 +203,14 @@ void add_equality(const Compiled& m, int i, foreign::Model& model) {
     const int k = columns * i + 6;
     const foreign::Quaternion asked(m.number("eq_data", k), m.number("eq_data", k + 1),
                                     m.number("eq_data", k + 2), m.number("eq_data", k + 3));
-    if (relative.turn.angularDistance(asked.normalized()) > closed ||
+    const bool turns = columns > 10 && m.number("eq_data", columns * i + 10) == 0;  // its torque scale
+    if ((!turns && relative.turn.angularDistance(asked.normalized()) > closed) ||
         (first.position + first.turn * datum(3) - second.position - second.turn * datum(0)).norm() > closed)
       return lose("its bodies are not as it holds them at the start");
-    if (columns > 10 && m.number("eq_data", columns * i + 10) == 0)
-      return lose("its torque scale is 0, which leaves the bodies free to turn");
     joint.point = second.position;
+    if (turns) joint.freedoms = {{.kind = "ball"}}, joint.point += second.turn * datum(0);
   }
-  if (end_of(m, body) < 0) {
-    if (joint.to < 0) return;  // of the world with itself
-    joint.body = joint.to, joint.to = -1;
-  }
-  model.joints.push_back(joint);
+  add_loop(m, joint, model);
 }
 
 }  // namespace
@@ -220,11 +253,13 @@ void add_joints(const Compiled& m, foreign::Model& model) {
       add_armature(m, j, count == 1 && joint.to < 0, joint, model);
     }
     if (!hinges.empty()) joint.point = nearest_point(hinges);
-    for (const Line& line : hinges)
-      if (line.direction.cross(joint.point - line.point).norm() > meet) {
-        model.losses.push_back({"joint_kind", joint.place, "hinges of one body about axes that do not meet"});
-        break;
-      }
+    const bool apart = std::ranges::any_of(hinges, [&](const Line& line) {
+      return line.direction.cross(joint.point - line.point).norm() > meet;
+    });
+    if (apart && count == 2 && hinges.size() == 2)
+      set_apart(hinges[0], hinges[1], joint);
+    else if (apart)
+      model.losses.push_back({"joint_kind", joint.place, "hinges of one body about axes that do not meet"});
     if (!is_free) model.joints.push_back(joint);
   }
   if (m.disabled("equality") || m.disabled("constraint")) return;

@@ -79,6 +79,8 @@ struct Joint {
   int body = 0;
   int to = -1;                      ///< -1: the world.
   Vector3 point = Vector3::Zero();  ///< World, at the start.
+  /// Of two turns about axes that do not meet: how far the second is along first x second from `point` of the first [m].
+  double offset = 0;
   std::vector<Freedom> freedoms;
   bool one_body = false;   ///< Of fixed joints: the format itself takes both for one rigid body.
   bool may_touch = false;  ///< In the format its two bodies touch each other where their surfaces do.

@@ -41,7 +41,8 @@ void members(E& e, const auto& visit) {
 template <Of<Joint> E>
 void members(E& e, const auto& visit) {
   visit("place", e.place), visit("name", e.name), visit("body", e.body), visit("to", e.to);
-  visit("point", e.point), visit("freedoms", e.freedoms), visit("one_body", e.one_body);
+  visit("point", e.point), visit("offset", e.offset), visit("freedoms", e.freedoms),
+      visit("one_body", e.one_body);
   visit("may_touch", e.may_touch);
 }
 template <Of<Meeting> E>

@@ -9,7 +9,7 @@ import {pathToFileURL} from 'node:url';
 const require = createRequire(new URL('../../simulators/js/package.json', import.meta.url));
 const {default: load_mujoco} = await import(pathToFileURL(require.resolve('@mujoco/mujoco')));
 
-const needed = /^(body_|jnt_|dof_|geom_|mesh_|pair_|exclude_|eq_|tendon_|actuator_|qpos|key_)/;
+const needed = /^(body_|jnt_|dof_|geom_|mesh_|pair_|exclude_|eq_|site_(bodyid|pos|quat)|tendon_|actuator_|qpos|key_)/;
 const large = /_user$|^geom_rgba$|^geom_aabb$|^body_bvh|^mesh_(normal|texcoord|face|poly|bvh|oct|extrema|path|scale)/;
 const kinds = {
   body: 'nbody', jnt: 'njnt', geom: 'ngeom', mesh: 'nmesh', pair: 'npair', eq: 'neq', tendon: 'ntendon',

@@ -19,8 +19,9 @@ using Json = nlohmann::json;
 
 // What no motion follows from, and what is large.
 bool is_needed(std::string_view array) {
-  for (const std::string_view kind : {"body_", "jnt_", "dof_", "geom_", "mesh_", "pair_", "exclude_", "eq_",
-                                      "tendon_", "actuator_", "qpos", "key_"})
+  for (const std::string_view kind :
+       {"body_", "jnt_", "dof_", "geom_", "mesh_", "pair_", "exclude_", "eq_", "site_bodyid", "site_pos",
+        "site_quat", "tendon_", "actuator_", "qpos", "key_"})
     if (array.starts_with(kind)) return !array.ends_with("_user") && array != "geom_rgba";
   return false;
 }

@@ -142,7 +142,7 @@ Reason against_joints(const Scene& scene) {
         forest.nodes[static_cast<std::size_t>(joint.body)].joint != static_cast<int>(j))
       return fmt::format(
           "The {} joint of '{}' hangs '{}' from it, and MuJoCo's displacements are of the parent's axes.",
-          name, body(scene, joint.to).name);
+          core::kind_of(joint.type).name, name, body(scene, joint.to).name);
   }
   return {};
 }
