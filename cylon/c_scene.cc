@@ -19,7 +19,7 @@ static_assert(static_cast<int>(core::JointType::ball) == CYLON_BALL);
 static_assert(static_cast<int>(core::JointType::hinge) == CYLON_HINGE);
 static_assert(static_cast<int>(core::JointType::distance) == CYLON_DISTANCE);
 static_assert(static_cast<int>(core::JointType::fixed) == CYLON_FIXED);
-static_assert(core::joint_kinds.size() == 9);  // of the others engine.h says nothing: other_joint
+static_assert(core::joint_kinds.size() == 12);  // of the others engine.h says nothing: other_joint
 static_assert(core::world == CYLON_WORLD);
 
 constexpr std::size_t most_pairs = 1'000'000;  // 40 MB

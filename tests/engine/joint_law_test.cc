@@ -191,7 +191,7 @@ TEST(Law, KeepsMomenta) {
   for (const JointKind& kind : joint_kinds) {
     JointScene s = joint_scene(kind.type, false);
     CoordinateLaw law;
-    law.at = kind.type.turn == Joint::Turn::never ? s.displacement(s.axis) : s.angle();
+    law.at = s.free_one();
     law.stiffness = 12, law.damping = 0.6, law.force = 2;
     s.model.forces.coordinate_laws.push_back(law);
     const Outcome end = run(s.model, with("auto", 0.01), 100);

@@ -311,7 +311,7 @@ TEST(Limit, GiveNoEnergy) {
     for (const bool to_world : both_forms) {
       JointScene s = joint_scene(kind.type, to_world);
       CoordinateLaw law;
-      law.at = kind.type.turn == Joint::Turn::never ? s.displacement(s.axis) : s.angle();
+      law.at = s.free_one();
       const Real now = kind.type.turn == Joint::Turn::never ? 0.3 : 0;
       law.lower = now - 0.2, law.upper = now + 0.15, law.restitution = 0.9, law.friction = 0.05;
       s.model.forces.coordinate_laws.push_back(law);

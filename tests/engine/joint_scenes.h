@@ -14,10 +14,14 @@ struct JointKind {
 };
 inline void PrintTo(const JointKind& kind, std::ostream* out) { *out << kind.name; }
 
-inline constexpr JointKind joint_kinds[] = {
-    {"slider", joint_types::slider}, {"cylindrical", joint_types::cylindrical},
-    {"planar", joint_types::planar}, {"universal", joint_types::universal},
-    {"screw", joint_types::screw},   {"gimbal", joint_types::gimbal}};
+inline constexpr JointKind joint_kinds[] = {{"slider", joint_types::slider},
+                                            {"cylindrical", joint_types::cylindrical},
+                                            {"planar", joint_types::planar},
+                                            {"universal", joint_types::universal},
+                                            {"screw", joint_types::screw},
+                                            {"gimbal", joint_types::gimbal},
+                                            {"rectangular", joint_types::rectangular},
+                                            {"offset_universal", joint_types::offset_universal}};
 
 /// The three angles of a gimbal, counted from the start: first, second, third.
 inline std::array<Coordinate, 3> gimbal_angles(const Model& model, const Joint& joint) {
@@ -65,6 +69,11 @@ struct JointScene {
     c.axis = to_world().conjugate() * along;
     return c;
   }
+  /// An angle that the joint leaves free, or else a displacement, at 0.3 m.
+  Coordinate free_one() const {
+    if (joint().type.turn != Joint::Turn::never) return angle();
+    return displacement(joint().type.place == Joint::Place::in_plane ? second : axis);
+  }
 
  private:
   Quaternion to_world() const {
@@ -106,6 +115,10 @@ inline JointScene joint_scene(Joint::Type type, bool to_world) {
   if (type.place == Joint::Place::along_axis) apart = 0.3 * s.axis, slip = 0.6 * s.axis;
   if (type.place == Joint::Place::in_plane)
     apart = 0.3 * s.second - 0.2 * third, slip = 0.4 * s.second + 0.5 * third;
+  if (type.place == Joint::Place::along_normal) {  // which the turn about the first axis carries
+    j.length = Real(0.25), apart = j.length * third;
+    slip = (Real(1.1) * s.axis).cross(apart);
+  }
   if (type.couples) {
     j.pitch = 0.15;
     slip = 1.7 * j.pitch * s.axis;
@@ -149,6 +162,9 @@ inline Real opened(const std::vector<Motion>& motions, const Joint& joint) {
       break;
     case Joint::Place::in_plane:
       gap = std::abs(d.dot(h));
+      break;
+    case Joint::Place::along_normal:
+      gap = (d - joint.length * h.cross(own)).norm();
       break;
   }
   switch (joint.type.turn) {

@@ -41,6 +41,8 @@ Held held(Type type, bool to_world) {
   const Vector3 second = axis.unitOrthogonal(), third = axis.cross(second);
   if (type.turn == Joint::Turn::about_two_axes) j.axis = q_a.conjugate() * second;
   if (type.place == Joint::Place::along_axis) h.model.motions[0].position += 0.3 * axis;
+  if (type.place == Joint::Place::along_normal)
+    j.length = Real(0.25), h.model.motions[0].position += j.length * third;
   if (type.place == Joint::Place::in_plane) h.model.motions[0].position += 0.3 * second - 0.2 * third;
   if (type.couples) {
     j.pitch = -0.15;
@@ -113,7 +115,9 @@ INSTANTIATE_TEST_SUITE_P(
     Types, EveryJoint,
     testing::Combine(testing::Values(joint_types::ball, joint_types::hinge, joint_types::distance,
                                      joint_types::fixed, joint_types::slider, joint_types::cylindrical,
-                                     joint_types::planar, joint_types::universal, joint_types::screw),
+                                     joint_types::planar, joint_types::universal, joint_types::screw,
+                                     joint_types::gimbal, joint_types::rectangular,
+                                     joint_types::offset_universal),
                      testing::Bool()));
 
 // ---- In motion -------------------------------------------------------------------------------------

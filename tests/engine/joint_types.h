@@ -12,7 +12,8 @@ inline constexpr Joint::Type ball{Place::together, Turn::freely}, hinge{Place::t
     distance{Place::at_length, Turn::freely}, fixed{Place::together, Turn::never},
     slider{Place::along_axis, Turn::never}, cylindrical{Place::along_axis, Turn::about_axis},
     planar{Place::in_plane, Turn::about_axis}, universal{Place::together, Turn::about_two_axes},
-    screw{Place::along_axis, Turn::about_axis, true}, gimbal{Place::together, Turn::about_three_axes};
+    screw{Place::along_axis, Turn::about_axis, true}, gimbal{Place::together, Turn::about_three_axes},
+    rectangular{Place::in_plane, Turn::never}, offset_universal{Place::along_normal, Turn::about_two_axes};
 
 /// Its place and its turn as two digits, for messages; a hundred more where they are coupled.
 inline int label(const Joint::Type& type) {

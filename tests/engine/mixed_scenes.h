@@ -171,10 +171,11 @@ inline void add_joints(Dice& dice, Model& m, std::string& text) {
   const std::size_t n = m.bodies.size(), count = 1 + dice.below(2);
   for (std::size_t k = 0; k < count && k < n; ++k) {
     const int body = static_cast<int>(k), to = k + 1 < n && dice.one_in(2) ? body + 1 : fixed_world;
-    constexpr Joint::Type types[] = {joint_types::ball,   joint_types::hinge,     joint_types::distance,
-                                     joint_types::fixed,  joint_types::slider,    joint_types::cylindrical,
-                                     joint_types::planar, joint_types::universal, joint_types::screw,
-                                     joint_types::gimbal};
+    constexpr Joint::Type types[] = {
+        joint_types::ball,   joint_types::hinge,       joint_types::distance,
+        joint_types::fixed,  joint_types::slider,      joint_types::cylindrical,
+        joint_types::planar, joint_types::universal,   joint_types::screw,
+        joint_types::gimbal, joint_types::rectangular, joint_types::offset_universal};
     const std::size_t kind = dice.below(std::size(types));
     const Joint::Type type = types[kind];
     const auto turn = [&](int i) {
@@ -199,6 +200,10 @@ inline void add_joints(Dice& dice, Model& m, std::string& text) {
       joint.to_axis = turn(to).conjugate() * axis;
       if (type.turn == Joint::Turn::about_two_axes)
         joint.axis = turn(body).conjugate() * axis.unitOrthogonal();
+      if (type.place == Joint::Place::along_normal) {
+        joint.length = dice.between(Real(0.05), Real(0.4));
+        joint.anchor += turn(body).conjugate() * (joint.length * axis.cross(axis.unitOrthogonal()));
+      }
       if (type == joint_types::gimbal)
         joint.axis = turn(body).conjugate() * (Real(0.8) * axis.unitOrthogonal() + Real(0.6) * axis);
       if (type.couples) joint.pitch = dice.between(Real(0.05), Real(0.3));

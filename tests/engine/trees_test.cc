@@ -21,7 +21,9 @@ constexpr Kind kinds[] = {{"ball", joint_types::ball},
                           {"cylindrical", joint_types::cylindrical},
                           {"planar", joint_types::planar},
                           {"universal", joint_types::universal},
-                          {"gimbal", joint_types::gimbal}};
+                          {"gimbal", joint_types::gimbal},
+                          {"rectangular", joint_types::rectangular},
+                          {"offset_universal", joint_types::offset_universal}};
 
 Vector3 velocity_at(const Model& model, int body, const Vector3& point) {
   if (body == fixed_world || model.bodies[static_cast<std::size_t>(body)].locked) return Vector3::Zero();
@@ -58,14 +60,18 @@ void hang(Model& model, Dice& dice, Joint::Type type, int parent, bool reversed)
   if (type.turn == Turn::about_axis) spin = 1.3 * axis;
   if (type.turn == Turn::about_two_axes)
     spin = 1.1 * axis - 0.7 * second;  // `axis` is the first: carried by `to`
+  Joint joint;
+  if (type.place == Place::along_normal) {  // as the first turn of the two carries it
+    joint.length = Real(0.25), apart = (reversed ? -1 : 1) * joint.length * third;
+    slip = (reversed ? Vector3(Real(-0.7) * second) : Vector3(Real(1.1) * axis)).cross(apart);
+  }
   const Vector3 point = position + dice.vector(0.5), held = point - apart;  // of the child, of the parent
   const Vector3 w = spin_of(model, parent) + spin;
   // d' of what the joint leaves free is seen by who carries its axes.
-  const Vector3 carrier = reversed ? w : spin_of(model, parent);
+  const Vector3 carrier = reversed && joint.length == 0 ? w : spin_of(model, parent);
   const Vector3 v =
       velocity_at(model, parent, held) + carrier.cross(apart) + slip - w.cross(point - position);
   add_body(model, make_body(dice.between(0.5, 1.5), general_inertia(0.05, 0.07, 0.1)), position, turn, v, w);
-  Joint joint;
   joint.type = type;
   const Vector3 mine = q_child.conjugate() * (point - position), its = q_parent.conjugate() * (held - place);
   joint.body = reversed ? parent : child, joint.to = reversed ? child : parent;
@@ -177,7 +183,7 @@ void add_rotors(Model& model) {
 }
 
 constexpr Root roots[] = {Root::free, Root::world, Root::locked};
-constexpr std::uint32_t trees = 32;  // four of each kind at the root, and on each root
+constexpr std::uint32_t trees = 40;  // four of each kind at the root, and on each root
 
 Model forced_tree(std::uint32_t number) {
   Model model = tree(number, roots[number % 3]);

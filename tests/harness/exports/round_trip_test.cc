@@ -110,6 +110,7 @@ void expect_same(const core::JointCoordinate& is, const core::JointCoordinate& w
   EXPECT_NEAR(is.target, was.target, rounding);
   EXPECT_NEAR(is.damping, was.damping, rounding);
   EXPECT_NEAR(is.friction, was.friction, rounding);
+  EXPECT_NEAR(is.armature, was.armature, rounding);
 }
 
 TEST_P(RoundTrip, KeepsJointsAndWhatActsAlongThem) {
@@ -130,6 +131,7 @@ TEST_P(RoundTrip, KeepsJointsAndWhatActsAlongThem) {
     if (core::kind_of(was.type).has_second_axis()) {
       EXPECT_LT((*is.axis_2 - *was.axis_2).norm(), rounding);
     }
+    EXPECT_NEAR(is.length, was.length, rounding);
     ASSERT_EQ(is.displacements.size(), was.displacements.size());
     ASSERT_EQ(is.angles.size(), was.angles.size());
     for (std::size_t i = 0; i < was.displacements.size(); ++i)
@@ -208,7 +210,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Case{"machine", scenes::machine, ".xml"}, Case{"moving", scenes::moving, ".xml"},
                     Case{"loop", scenes::loop, ".xml"}, Case{"nearly_round", scenes::nearly_round, ".xml"},
                     Case{"nearly_round_in_2_", scenes::nearly_round, ".xml", true},
-                    Case{"contacts", scenes::contacts, ".xml"}, Case{"robot", scenes::robot, ".sdf"},
+                    Case{"contacts", scenes::contacts, ".xml"}, Case{"hips", scenes::hips, ".xml"},
+                    Case{"hips_in_2_", scenes::hips, ".xml", true}, Case{"robot", scenes::robot, ".sdf"},
                     Case{"nested", scenes::nested, ".sdf"}, Case{"several", scenes::several, ".sdf"},
                     Case{"loop", scenes::loop, ".sdf"}, Case{"bounces", scenes::bounces, ".sdf"}),
     [](const auto& test) { return std::string(test.param.name) + (test.param.ending + 1); });

@@ -104,6 +104,67 @@ conserves = "joint_gap"
 tolerance = {absolute = 0.001, reason = "convention: a millimetre"}
 )";
 
+// Joints of several turns as humanoids have them, with rotors, on a carriage.
+inline constexpr const char* hips = R"(
+title    = "hips"
+duration = 1.0
+step     = 0.001
+gravity  = [0.3, -9.7, 0.2]
+
+[[body]]
+name = "pelvis"
+position = [0.1, 0.5, -0.2]
+mass = 3.0
+inertia = [0.2, 0.3, 0.25]
+
+[[body]]
+name = "thigh"
+position = [0.3, 0.1, -0.1]
+orientation = [0.8, 0.0, 0.6, 0.0]
+mass = 1.3
+inertia = [0.05, 0.02, 0.06]
+
+[[body]]
+name = "foot"
+position = [0.5, -0.4, 0.1]
+mass = 0.4
+inertia = [0.002, 0.003, 0.0025]
+
+[[joint]]
+type = "rectangular"
+name = "carriage"
+body = "pelvis"
+point = [0.0, 0.5, 0.0]
+axis = [0.0, 0.6, 0.8]
+axis_2 = [1.0, 0.0, 0.0]
+displacement = [{start = 0.1, stiffness = 30.0, armature = 0.7}, {which = "second", damping = 0.3}]
+
+[[joint]]
+type = "gimbal"
+name = "hip"
+body = "thigh"
+to = "pelvis"
+point = [0.2, 0.4, -0.2]
+axis = [0.6, 0.0, 0.8]
+axis_2 = [0.0, 0.8, 0.6]
+angle = [{start = 0.2, lower = -0.5, upper = 0.9, armature = 0.03}, {which = "third", stiffness = 2.0, target = 0.1, force = 0.4}, {which = "second", damping = 0.02, friction = 0.1}]
+
+[[joint]]
+type = "offset_universal"
+name = "ankle"
+body = "foot"
+to = "thigh"
+point = [0.4, -0.3, 0.0]
+axis = [0.6, 0.8, 0.0]
+axis_2 = [0.0, 0.0, 1.0]
+length = 0.04
+angle = [{stiffness = 0.3, armature = 0.01}, {which = "second", damping = 0.02, force = -0.4}]
+
+[[claim]]
+conserves = "joint_gap"
+tolerance = {absolute = 0.001, reason = "convention: a millimetre"}
+)";
+
 // Velocities: of a free body, and of one that a hinge lets turn.
 inline constexpr const char* moving = R"(
 title    = "moving"

@@ -215,27 +215,29 @@ TEST(Bad, MjcfThatIncludesItselfIsRefusedAtTheLineThatTheLibraryTells) {
       << told;
 }
 
-// A hinge on the world takes the rotor's inertia to its body; one between two bodies has a small one and a large one.
-TEST(Armature, IsTheInertiaOfABodyOnTheWorldAndALossElsewhere) {
+// A hinge on the world takes the rotor's inertia to its body, other joints to their coordinate, from which --leave-out takes it.
+TEST(Armature, IsTheInertiaOfABodyOnTheWorldAndElsewhereOfACoordinate) {
   const fs::path file = data("rotors.xml");
   REQUIRE_LIBRARY(file);
-  const std::string told = refusal(file);
-  EXPECT_NE(told.find("joint 'large': armature (0.3 of "), std::string::npos) << told;
-  EXPECT_EQ(told.find("joint 'small'"), std::string::npos) << told;
-  EXPECT_EQ(told.find("joint 'base'"), std::string::npos) << told;
-  const Imported imported = import_file(file, {.leave_out = {"armature"}}, programs);
-  EXPECT_TRUE(std::ranges::any_of(imported.left_out, [](const std::string& line) {
-    return line.find("joint 'small': small_armature (0.001 of ") != std::string::npos;
-  }));
-  const auto read = scenario::parse(imported.toml, "imported.toml");
+  const auto read = scenario::parse(import_file(file, {}, programs).toml, "imported.toml");
   EXPECT_LT((read.scene.bodies.at(0).inertia - foreign::Matrix3(Vector3(0.7, 0.9, 0.8).asDiagonal())).norm(),
             1e-15);
+  ASSERT_EQ(read.scene.joints.size(), 3u);
+  EXPECT_TRUE(read.scene.joints[0].angles.empty());
+  EXPECT_EQ(read.scene.joints[1].angles.at(0).armature, 0.001);
+  EXPECT_EQ(read.scene.joints[2].angles.at(0).armature, 0.3);
+  const Imported without = import_file(file, {.leave_out = {"armature"}}, programs);
+  EXPECT_TRUE(std::ranges::any_of(without.left_out, [](const std::string& line) {
+    return line.find("joint 'small': armature (0.001 of ") != std::string::npos;
+  }));
+  for (const core::Joint& joint : scenario::parse(without.toml, "imported.toml").scene.joints)
+    EXPECT_TRUE(joint.angles.empty());
 }
 
 TEST(Tendon, WithALimitAloneIsLeftOut) {
   const fs::path file = data("rotors.xml");
   REQUIRE_LIBRARY(file);
-  const Imported imported = import_file(file, {.leave_out = {"armature"}}, programs);
+  const Imported imported = import_file(file, {}, programs);
   EXPECT_TRUE(std::ranges::any_of(imported.left_out, [](const std::string& line) {
     return line.find("tendon 'strap': tendon_limit") != std::string::npos;
   }));

@@ -114,12 +114,7 @@ INSTANTIATE_TEST_SUITE_P(
         Silent{"AnisotropicOverride",
                R"(<option o_friction="0.2 0.3 0.005 0.0001 0.0001"><flag override="enable"/></option>)"
                R"(<worldbody><geom name="floor" type="plane" size="0 0 1"/><body><freejoint/>)" BALL,
-               "geom 'floor' and 1 more: anisotropic_friction (o_friction)"},
-        Silent{"WeldWithoutTorque",
-               R"(<worldbody><body name="a"><freejoint/><geom size=".1" mass="1"/></body>)"
-               R"(<body name="b" pos="1 0 0"><freejoint/><geom size=".1" mass="1"/></body></worldbody>)"
-               R"(<equality><weld name="w" body1="a" body2="b" torquescale="0"/></equality>)",
-               "equality 'w': equality (its torque scale is 0"}),
+               "geom 'floor' and 1 more: anisotropic_friction (o_friction)"}),
     [](const auto& row) { return std::string(row.param.name); });
 
 // -k q - c q' + f along a joint.
@@ -346,6 +341,53 @@ TEST(MjcfHinges, OfWhichTheThirdIsAlongTheFirstAreNoBall) {
   const Outcome outcome = import_mjcf(
       R"(<worldbody><body><joint name="j" axis="0 0 1"/><joint axis="1 0 0"/><joint axis="0 0 1"/>)" BALL);
   EXPECT_TRUE(outcome.refuses("joint 'j': joint_kind (turn turn turn)")) << outcome.refusal;
+}
+
+// Its bodies may turn against each other about the point that it holds: it was refused.
+TEST(MjcfWeld, WithoutTorqueIsABall) {
+  REQUIRE_IMPORT("xml");
+  const Outcome outcome = import_mjcf(
+      R"(<worldbody><body name="a"><freejoint/><geom size=".1" mass="1"/></body>)"
+      R"(<body name="b" pos="1 0 0"><freejoint/><geom size=".1" mass="1"/></body></worldbody>)"
+      R"(<equality><weld name="w" body1="a" body2="b" anchor="0 0.2 0" torquescale="0"/></equality>)");
+  ASSERT_EQ(outcome.refusal, "");
+  const core::Joint& joint = outcome.scene().joints.at(0);
+  EXPECT_EQ(joint.type, core::JointType::ball);
+  EXPECT_LT((joint.point - core::Vector3(1, 0, -0.2)).norm(), 1e-15);  // y up
+}
+
+// MuJoCo 3 closes loops at sites too: it was refused.
+TEST(MjcfEquality, OfSitesJoinsTheirBodies) {
+  REQUIRE_IMPORT("xml");
+  const Outcome outcome = import_mjcf(
+      R"(<worldbody><body name="a"><freejoint/><geom size=".1" mass="1"/><site name="s" pos="0.4 0.1 0"/></body>)"
+      R"(<body name="b" pos="1 0 0"><freejoint/><geom size=".1" mass="1"/><site name="t" pos="-0.6 0.1 0"/>)"
+      R"(<site name="r" pos="-0.6 0.2 0"/></body></worldbody>)"
+      R"(<equality><connect name="w" site1="s" site2="t"/><weld name="v" site1="t" site2="s"/></equality>)");
+  if (outcome.refusal.find("site1") != std::string::npos) GTEST_SKIP() << "not of MuJoCo 2.2.2";
+  ASSERT_EQ(outcome.refusal, "");
+  ASSERT_EQ(outcome.scene().joints.size(), 2u);
+  EXPECT_EQ(outcome.scene().joints[0].type, core::JointType::ball);
+  EXPECT_LT((outcome.scene().joints[0].point - core::Vector3(0.4, 0, -0.1)).norm(), 1e-15);
+  EXPECT_EQ(outcome.scene().joints[1].type, core::JointType::fixed);
+}
+
+// Hinges of one body whose axes meet beside their anchors, and such as do not.
+TEST(MjcfHinges, MeetWhereTheirAxesDo) {
+  REQUIRE_IMPORT("xml");
+  const Outcome meeting = import_mjcf(
+      R"(<worldbody><body><joint axis="0 1 0" pos="0.1 0.3 0"/><joint axis="1 0 0" pos="0.5 0.2 0"/>)" BALL);
+  ASSERT_EQ(meeting.refusal, "");
+  EXPECT_EQ(meeting.scene().joints.at(0).type, core::JointType::universal);
+  EXPECT_LT((meeting.scene().joints[0].point - core::Vector3(0.1, 0, -0.2)).norm(), 1e-15);
+  const Outcome apart = import_mjcf(
+      R"(<worldbody><body><joint axis="0 1 0" pos="0.1 0.3 0.2"/><joint axis="1 0 0" pos="0.5 0.2 0.05"/>)" BALL);
+  ASSERT_EQ(apart.refusal, "");
+  const core::Joint& joint = apart.scene().joints.at(0);
+  EXPECT_EQ(joint.type, core::JointType::offset_universal);
+  EXPECT_NEAR(joint.length, 0.15, 1e-15);
+  EXPECT_LT((joint.point - core::Vector3(0.1, 0.2, -0.2)).norm(), 1e-15);
+  EXPECT_LT((core::held_point_of_body(joint) - core::Vector3(0.1, 0.05, -0.2)).norm(), 1e-15);
 }
 
 // A scene has no body that is called "world": an export refused it.

@@ -133,6 +133,7 @@ TEST(BadModels, AreRefusedWithFileLineAndElement) {
 struct Mapped {
   std::vector<Freedom> freedoms;
   std::optional<core::JointType> type;  // nothing: it is lost
+  double offset = 0;
 };
 TEST(JointsOf, MapsMotionsToTheJointThatLeavesThem) {
   const Vector3 n(0.6, 0, 0.8), u(0, 1, 0), w = n.cross(u), skew(1, 0, 0);
@@ -158,19 +159,70 @@ TEST(JointsOf, MapsMotionsToTheJointThatLeavesThem) {
       {{{.kind = "turn", .axis = n}, {.kind = "turn", .axis = u}, {.kind = "turn", .axis = -n}},
        std::nullopt},
       {{{.kind = "turn", .axis = n}, {.kind = "turn", .axis = u, .damping = 1}, {.kind = "turn", .axis = w}},
+       JointType::gimbal},
+      {{{.kind = "turn", .axis = n}, {.kind = "turn", .axis = u}, {.kind = "turn", .axis = w, .armature = 1}},
+       JointType::gimbal},
+      {{{.kind = "turn", .axis = n},
+        {.kind = "turn", .axis = skew},
+        {.kind = "turn", .axis = w, .damping = 1}},
        std::nullopt},
-      {{{.kind = "slide", .axis = n}, {.kind = "slide", .axis = u}}, std::nullopt},
+      {{{.kind = "turn", .axis = n}, {.kind = "turn", .axis = u}}, JointType::offset_universal, -0.2},
+      {{{.kind = "turn", .axis = n}, {.kind = "turn", .axis = skew}}, std::nullopt, 0.2},
+      {{{.kind = "slide", .axis = n}, {.kind = "slide", .axis = u}}, JointType::rectangular},
+      {{{.kind = "slide", .axis = n}, {.kind = "slide", .axis = skew}}, std::nullopt},
   };
   for (const Mapped& row : rows) {
     Model model;
     model.bodies = {body("a", 1)};
-    model.joints = {{.body = 0, .freedoms = row.freedoms}};
+    model.joints = {{.body = 0, .offset = row.offset, .freedoms = row.freedoms}};
     const std::vector<core::Joint> joints = joints_of(model);
     ASSERT_EQ(joints.size(), row.type ? 1u : 0u);
     EXPECT_EQ(model.losses.size(), row.type ? 0u : 1u);
     if (row.type) {
       EXPECT_EQ(joints[0].type, *row.type);
     }
+  }
+}
+
+// The middle turn of three is the third angle, counted as the angle between the other two axes grows.
+TEST(JointsOf, CountsTheAnglesOfAGimbal) {
+  const Vector3 n(0.6, 0, 0.8), u(0, 1, 0), w = n.cross(u);
+  for (const double sign : {1.0, -1.0}) {
+    Model model;
+    model.bodies = {body("a", 1)};
+    model.joints = {{.body = 0,
+                     .freedoms = {{.kind = "turn", .axis = n, .stiffness = 1},
+                                  {.kind = "turn", .axis = sign * w, .lower = -0.1, .upper = 0.3},
+                                  {.kind = "turn", .axis = u, .armature = 3}}}};
+    const core::Joint joint = joints_of(model).at(0);
+    EXPECT_EQ(joint.axis, n);
+    EXPECT_EQ(*joint.axis_2, u);
+    ASSERT_EQ(joint.angles.size(), 3u);
+    EXPECT_EQ(joint.angles[0].which, core::Ordinal::first);
+    EXPECT_EQ(joint.angles[0].stiffness, 1);
+    EXPECT_EQ(joint.angles[1].which, core::Ordinal::third);
+    EXPECT_EQ(joint.angles[1].lower, sign > 0 ? -0.1 : -0.3);
+    EXPECT_EQ(joint.angles[1].upper, sign > 0 ? 0.3 : 0.1);
+    EXPECT_EQ(joint.angles[2].which, core::Ordinal::second);
+    EXPECT_EQ(joint.angles[2].armature, 3);
+  }
+}
+
+// A length is positive: an offset against the product of the axes turns the first of them, and its angle.
+TEST(JointsOf, CountsTheOffsetOfAxesTowardsTheirProduct) {
+  for (const double offset : {0.2, -0.2}) {
+    Model model;
+    model.bodies = {body("a", 1)};
+    model.joints = {{.body = 0,
+                     .offset = offset,
+                     .freedoms = {{.kind = "turn", .axis = {1, 0, 0}, .force = 2},
+                                  {.kind = "turn", .axis = {0, 1, 0}, .force = 3}}}};
+    const core::Joint joint = joints_of(model).at(0);
+    const double sign = offset > 0 ? 1 : -1;
+    EXPECT_EQ(joint.length, 0.2);
+    EXPECT_EQ(joint.axis, Vector3(sign, 0, 0));
+    EXPECT_EQ(joint.angles.at(0).force, 2 * sign);
+    EXPECT_EQ(joint.angles.at(1).force, 3);
   }
 }
 
