@@ -47,6 +47,8 @@ const Machine machines[] = {
     {"universal", [] { return on_a_spring(JointType::universal); }},
     {"screw", [] { return on_a_spring(JointType::screw); }},
     {"gimbal", [] { return on_a_spring(JointType::gimbal); }},
+    {"rectangular", [] { return on_a_spring(JointType::rectangular); }},
+    {"offset universal", [] { return on_a_spring(JointType::offset_universal); }},
 };
 
 class JointLaws : public EveryEngine {};

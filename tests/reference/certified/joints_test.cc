@@ -192,6 +192,54 @@ TEST(CertifiedJoints, RotorsOfAUniversalJointTurnWithTheirOwnAngles) {
   EXPECT_NEAR(angle(scene, t, core::Ordinal::second).q, second / w * std::sin(w * t), 1e-13);
 }
 
+// The same of two hinges apart, which are a universal joint with an offset.
+TEST(CertifiedJoints, OffsetUniversalIsTwoHingesWithoutARing) {
+  constexpr double end = 0.8;
+  const core::JointAngle first{
+      {.start = 0.2, .stiffness = 6, .damping = 0.3, .armature = 0.4, .target = -0.3}};
+  const core::JointAngle second{{.which = core::Ordinal::second, .force = 0.7, .armature = 0.2}};
+  core::Joint joint = joint_of(JointType::offset_universal);
+  joint.length = 0.3, joint.angles = {first, second};
+  const Vector3 far = point + joint.length * axis.cross(axis_2);
+  for (const bool reversed : {false, true}) {
+    core::Joint stated = joint;
+    core::Scene scene = body_on(joint);
+    const Vector3 ring_spin = 0.9 * axis, spin = ring_spin + 0.5 * axis_2;
+    core::BodyState& start = scene.bodies[0].initial;
+    start.angular_velocity = spin;
+    start.velocity = ring_spin.cross(far - point) + spin.cross(start.position - far);
+    if (reversed) {  // told from the world: axes, angles and points change places
+      stated.body = core::world, stated.to = 0, stated.point = far;
+      stated.axis = axis_2, stated.axis_2 = axis;
+      for (core::JointAngle& c : stated.angles) {
+        core::reverse(c);
+        c.which = c.which == core::Ordinal::first ? core::Ordinal::second : core::Ordinal::first;
+      }
+      scene.joints = {stated};
+    }
+    const core::BodyState exact = solution(scene, end, 1e11).truth.state(end)[0];
+    ASSERT_GT((exact.position - start.position).norm(), 0.2) << "hardly a motion";
+    const auto with_ring = [&](double part) {
+      core::Scene rings = scene;
+      rings.bodies.push_back(scene.bodies[0]);
+      core::Body& ring = rings.bodies[1];
+      ring.name = "ring", ring.mass = part, ring.inertia = part * core::Matrix3::Identity();
+      ring.initial = {.position = point, .angular_velocity = ring_spin};
+      core::Joint one{.type = JointType::hinge, .body = 1, .point = point, .axis = axis},
+          two{.type = JointType::hinge, .body = 0, .to = 1, .point = far, .axis = axis_2};
+      one.angles = {first}, two.angles = {second};
+      two.angles[0].which = core::Ordinal::first;
+      rings.joints = {one, two};
+      const core::BodyState state = solution(rings, end, 1e11).truth.state(end)[0];
+      return (state.position - exact.position).norm() +
+             (state.angular_velocity - exact.angular_velocity).norm();
+    };
+    const double coarse = with_ring(1e-4), fine = with_ring(1e-5);
+    EXPECT_LT(coarse, 1e-3) << reversed;
+    EXPECT_NEAR(coarse / fine, 10, 0.1) << reversed;
+  }
+}
+
 // Two hinges and a universal joint between them hold more than is free.
 // A gimbal is three hinges with rings of no mass between them: with rings of 1e-4 and 1e-5 of the body's inertia, which bear
 // the same springs, dampers, motors and rotors, the motion comes to the gimbal's as the inertia goes to nothing.
