@@ -94,7 +94,7 @@ std::vector<std::optional<Ball>> find_bounds(const Model& model) {
   std::vector<std::vector<Link>> links(model.bodies.size());
   std::priority_queue<Reached, std::vector<Reached>, std::greater<>> queue;
   for (const Joint& joint : model.joints) {
-    if (joint.type.place != Joint::Place::together && joint.type.place != Joint::Place::at_length) continue;
+    if (joint.type.place == Joint::Place::along_axis || joint.type.place == Joint::Place::in_plane) continue;
     const auto side = [&](int body, const Vector3& anchor, int to, const Vector3& to_anchor) {
       if (!model.moves(body)) return;
       const Real arm = anchor.norm() + joint.length;
