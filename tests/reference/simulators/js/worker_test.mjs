@@ -10,7 +10,7 @@ import {body, engines, load, load as any_load, root, run, scene, talk} from './c
 const spring = {body: 'a', anchor: [0, 0, 0], pin: [0, 0, 0], stiffness: 3, rest_length: 0, damping: 0};
 const hinge = {type: 'hinge', body: 'a', point: [0, 0, 0], axis: [0, 1, 0]};
 const acts = {
-  which: 'first', start: 0, restitution: 0, force: 1, stiffness: 0, damping: 0, quadratic_damping: 0, friction: 0, target: 0,
+  which: 'first', start: 0, restitution: 0, force: 1, stiffness: 0, damping: 0, quadratic_damping: 0, friction: 0, armature: 0, target: 0,
   target_amplitude: 0, target_frequency: 0, target_phase: 0};
 const without = (object, key) => Object.fromEntries(Object.entries(object).filter(([k]) => k !== key));
 
@@ -45,7 +45,7 @@ const garbage = [
   [load({scene: scene({body: [body({shape: {type: 'blob'}})]})}), /^scene.body\[0\].shape.type: expected sphere/],
   [load({scene: scene({body: [body({shape: {type: 'sphere', radius: 1, edge: 2}})]})}), /^scene.body\[0\].shape.edge: unknown key/],
   [load({scene: scene({spring: [{...spring, body: 'b'}]})}), /^scene.spring\[0\].body: expected a body; none is named 'b'/],
-  [load({scene: scene({joint: [{...hinge, angle: [{...acts, which: 'third'}]}]})}), /^scene.joint\[0\].angle\[0\].which: expected first or second/],
+  [load({scene: scene({joint: [{...hinge, angle: [{...acts, which: 'fourth'}]}]})}), /^scene.joint\[0\].angle\[0\].which: expected first, second or third/],
   [load({scene: scene({joint: [{...hinge, angle: [without(acts, 'force')]}]})}), /^scene.joint\[0\].angle\[0\].force: expected a value/],
   [load({scene: scene({joint: [{...hinge, angle: [{...acts, spring: 1}]}]})}), /^scene.joint\[0\].angle\[0\].spring: unknown key/],
   [run(), /^cmd: each run needs a load before it/],
