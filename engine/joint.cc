@@ -185,7 +185,7 @@ void add_rotor_rows(const Model& model, const Motion* motion, std::vector<Row>& 
 Misfit misfit_of_place(const Joint& joint, const Vector3& apart, const Quaternion& to) {
   switch (joint.type.place) {
     case Joint::Place::together:
-    case Joint::Place::along_normal:  // of which no step of a pile holds any (engine/methods.cc)
+    case Joint::Place::along_normal:
       break;
     case Joint::Place::at_length: {
       const Vector3 n = apart.normalized();

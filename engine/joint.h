@@ -15,6 +15,7 @@ struct Misfit {
   Vector3 error = Vector3::Zero();
   Matrix3 space = Matrix3::Identity();
 };
+/// Of a joint with an offset as of one at a point: its blocks are two (engine/pile/body_contacts.cc).
 Misfit misfit_of_place(const Joint&, const Vector3& apart, const Quaternion& to);
 Misfit misfit_of_turn(const Joint&, const Quaternion& body, const Quaternion& to);
 

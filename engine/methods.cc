@@ -19,7 +19,7 @@ constexpr Features user_forces = {Feature::user_force, Feature::user_force_of_ve
 constexpr Features all_joints = {Feature::joint_together,   Feature::joint_at_length,
                                  Feature::joint_along_axis, Feature::joint_in_plane,
                                  Feature::joint_about_axis, Feature::joint_about_two_axes,
-                                 Feature::joint_never};
+                                 Feature::joint_along_normal, Feature::joint_never};
 constexpr Features all_contacts = {
     Feature::contact,     Feature::lasting_contact,  Feature::friction, Feature::sphere,
     Feature::box,         Feature::capsule,          Feature::hull,     Feature::compound,
@@ -46,7 +46,7 @@ constexpr std::array methods = {
                Feature::late_start}},
     MethodRow{Method::bodies,
               rigid_bodies | all_forces | user_forces | all_joints |
-                  Features{Feature::joint_couples, Feature::joint_along_normal, Feature::joint_rotor, Feature::quadratic_damping,
+                  Features{Feature::joint_couples, Feature::joint_rotor, Feature::quadratic_damping,
                            Feature::pinned_body, Feature::one_axis_body, Feature::guided_body,
                            Feature::turning_frame, Feature::chosen_integrator, Feature::account,
                            Feature::late_start, Feature::every_stage}},
@@ -60,7 +60,7 @@ constexpr std::array methods = {
               {Feature::locked_body, Feature::spin, Feature::contact, Feature::friction, Feature::sphere,
                Feature::collision_filters, Feature::own_gravity, Feature::late_start}},
     MethodRow{Method::events, rigid_bodies | all_forces | user_forces | all_joints | all_contacts |
-                                  Features{Feature::joint_couples, Feature::joint_along_normal, Feature::quadratic_damping,
+                                  Features{Feature::joint_couples, Feature::quadratic_damping,
                                            Feature::joint_limit, Feature::joint_friction,
                                            Feature::joint_rotor, Feature::pinned_body, Feature::one_axis_body,
                                            Feature::guided_body, Feature::chosen_integrator, Feature::account,

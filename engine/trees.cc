@@ -309,7 +309,8 @@ void Trees::place(const Node& node, const Real* y, Motion* motions, Kinematics* 
   const Vector3 off = offset(node, q, kinematics);
   if (!node.offset.isZero(0)) slip += rate[0] * (above.rotation * node.first).cross(off);
   m.position = held + slid + off - k.rotation * node.anchor;
-  const Vector3 pivot = node.child_slides ? held : Vector3(held + slid + off);
+  const bool child_slides = node.child_slides && node.slides > 0;
+  const Vector3 pivot = child_slides ? held : Vector3(held + slid + off);
   k.velocity = above.velocity + above.angular_velocity.cross(pivot - centre) + slip +
                k.angular_velocity.cross(m.position - pivot);
   m.momentum = body.mass * k.velocity;

@@ -333,7 +333,22 @@ void place_hold(const Joint& joint, Block& block, const std::vector<Motion>& mot
     block.to_arm = motions[index(block.a)].position + block.arm - motions[index(block.b)].position;
 }
 
-// A block for the place of each joint, and one for its turn where it is not free; then those of laws on coordinates of
+// Between the point on `to` and that on `body` is what turns about the axis of each.  A force along the axis h of `to` passes
+// through the point on `body`, else it would turn that about the other axis; what is square to h passes through the point on
+// `to`: two parts, each of one point.  Requires the arms of the joint's own points; the first is left in `block`.
+Block split_at_offset(const Joint& joint, Block& block, const std::vector<Motion>& motions) {
+  const Vector3 h = orientation_of(joint.to, motions) * joint.to_axis;
+  const Motion& body = motions[index(joint.body)];
+  Block along = block;
+  along.space = h * h.transpose();
+  if (joint.to != fixed_world)
+    along.to_arm = body.position + block.arm - motions[index(joint.to)].position;
+  block.space = Matrix3::Identity() - along.space;
+  block.arm = point(joint.to_anchor, joint.to, motions) - body.position;
+  return along;
+}
+
+// A block for the place of each joint, two where it has an offset, and one for its turn where it is not free; then those of laws on coordinates of
 // joints: a stiff force, dry friction, and each limit.
 void BodyContacts::add_joints(const std::vector<Motion>& motions, const std::vector<Block>& old,
                               std::vector<Block>& blocks) const {
@@ -354,8 +369,12 @@ void BodyContacts::add_joints(const std::vector<Motion>& motions, const std::vec
     block.arm = point(joint.anchor, joint.body, motions) - motions[index(joint.body)].position;
     if (joint.to != fixed_world)
       block.to_arm = point(joint.to_anchor, joint.to, motions) - motions[index(joint.to)].position;
-    place_hold(joint, block, motions);
-    block.space = misfit_of_place(joint, offset(block, motions), orientation_of(joint.to, motions)).space;
+    if (joint.type.place == Joint::Place::along_normal) {
+      add(split_at_offset(joint, block, motions));
+    } else {
+      place_hold(joint, block, motions);
+      block.space = misfit_of_place(joint, offset(block, motions), orientation_of(joint.to, motions)).space;
+    }
     add(block);
     if (!joint.type.twists()) continue;
     block.angular = true;

@@ -8,6 +8,7 @@
 
 #include "harness/core/collision_filter.h"
 #include "harness/core/fields.h"
+#include "harness/core/joint_coordinates.h"
 #include "harness/core/overloaded.h"
 
 #include <algorithm>

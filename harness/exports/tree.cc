@@ -1,5 +1,7 @@
 #include "harness/exports/tree.h"
 
+#include "harness/core/joint_coordinates.h"
+
 namespace cylon::exports {
 namespace {
 

@@ -45,8 +45,9 @@ Model forced(Joint::Type type, bool to_world) {
   if (type.turn == Joint::Turn::about_axis || type.turn == Joint::Turn::about_two_axes)
     act(s.angle(), 2, 0.05);
   if (type.turn == Joint::Turn::about_two_axes) act(s.angle(true), 1.5, 0.04);
-  if (type == joint_types::gimbal)
-    for (const Coordinate& q : gimbal_angles(s.model, s.joint())) act(q, 1.5, 0.04);
+  if (type == joint_types::gimbal)  // far from where its axes are parallel
+    for (const Coordinate& q : gimbal_angles(s.model, s.joint()))
+      act(q, q.kind == Coordinate::Kind::inclination ? 40 : 1.5, 0.04);
   return s.model;
 }
 

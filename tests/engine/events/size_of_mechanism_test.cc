@@ -19,7 +19,7 @@ Model sized(const JointKind& kind, Real size) {
   model.shapes = {Sphere{Real(0.2) * size}};
   model.surfaces = {0};
   Joint joint = scene.joint();
-  joint.anchor *= size, joint.to_anchor *= size, joint.pitch *= size;
+  joint.anchor *= size, joint.to_anchor *= size, joint.pitch *= size, joint.length *= size;
   model.joints = {joint};
   model.forces.gravity = size * Vector3(2, -9, 4);
   model.forces.drags.push_back({0, 1, Real(0.1) * size * size, 0});

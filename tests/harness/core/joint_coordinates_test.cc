@@ -207,7 +207,6 @@ TEST(JointCoordinates, GoOnInASceneThatBeginsLater) {
     SCOPED_TRACE(kind_of(type).name);
     Scene scene = scene_of(type, 1);
     Joint& joint = scene.joints[0];
-    const Ordinal both[] = {Ordinal::first, Ordinal::second};
     for (int k = 0; k < kind_of(type).displacements(); ++k)
       joint.displacements.push_back({{.which = ordinals[k], .start = 0.1, .stiffness = 2}});
     for (int k = 0; k < kind_of(type).angles(); ++k)

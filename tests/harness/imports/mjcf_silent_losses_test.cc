@@ -3,6 +3,7 @@
 #include "tests/harness/imports/inline_model.h"
 
 #include "harness/core/collision_filter.h"
+#include "harness/core/held_joint.h"
 
 #include <cmath>
 

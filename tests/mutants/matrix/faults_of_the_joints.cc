@@ -60,6 +60,51 @@ std::vector<MaskedRow> faults_of_the_joints() {
                        c.which =
                            c.which == core::Ordinal::first ? core::Ordinal::second : core::Ordinal::first;
                    })},
+      {"gimbal's angles counted from the other side", "what acts turns round but between its axes", "gimbal",
+       "position follows",
+       every_joint(JointType::gimbal,
+                   [](Joint& joint) {
+                     for (core::JointAngle& c : joint.angles)
+                       if (c.which != core::Ordinal::third) core::reverse(c);
+                   })},
+      {"gimbal's third angle closes", "its force takes the angle between its axes the other way", "gimbal",
+       "position follows",
+       every_joint(JointType::gimbal,
+                   [](Joint& joint) {
+                     for (core::JointAngle& c : joint.angles)
+                       if (c.which == core::Ordinal::third) core::reverse(c);
+                   })},
+      {"gimbal's second and third exchanged", "in the order of its turns", "gimbal", "position follows",
+       every_joint(JointType::gimbal,
+                   [](Joint& joint) {
+                     for (core::JointAngle& c : joint.angles)
+                       if (c.which != core::Ordinal::first)
+                         c.which =
+                             c.which == core::Ordinal::second ? core::Ordinal::third : core::Ordinal::second;
+                   })},
+      {"gimbal's axes taken for square", "its torques act about its axes", "gimbal", "position follows",
+       every_joint(JointType::gimbal,
+                   [](Joint& joint) {
+                     joint.axis_2 = (*joint.axis_2 - joint.axis.dot(*joint.axis_2) * joint.axis).normalized();
+                   })},
+      {"rotors left out", "the head falls at once", "pan_tilt", "position follows",
+       every_coordinate([](JointCoordinate& c) { c.armature = 0; })},
+      {"rotors 1 % heavy", "as a rounded gear ratio makes them", "pan_tilt", "position follows",
+       every_coordinate([](JointCoordinate& c) { c.armature *= 1.01; })},
+      {"rotor of the first hinge alone", "the other's is forgotten", "pan_tilt", "position follows",
+       every_joint(JointType::offset_universal,
+                   [](Joint& joint) {
+                     for (core::JointAngle& c : joint.angles)
+                       if (c.which == core::Ordinal::second) c.armature = 0;
+                   })},
+      {"offset to the other side", "the mount's second hinge lies behind its first", "pan_tilt", "joint_gap",
+       every_joint(JointType::offset_universal,
+                   [](Joint& joint) {
+                     joint.point += 2 * joint.length * joint.axis.cross(*joint.axis_2);
+                     joint.axis = -joint.axis;
+                     for (core::JointAngle& c : joint.angles)
+                       if (c.which == core::Ordinal::first) core::reverse(c);
+                   })},
       {"screw of the other hand", "the sign of its pitch", "screw", "position follows", pitch_by(-1)},
       {"screw by the turn", "its pitch is for a turn, not for a radian", "screw", "position follows",
        pitch_by(1 / (2 * std::numbers::pi))},

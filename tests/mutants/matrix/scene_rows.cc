@@ -67,6 +67,8 @@ const std::vector<SceneRow>& scene_rows() {
       {"driven_cart", "scenarios/driven_cart.toml"},
       {"screw", "scenarios/screw_falls.toml"},
       {"cardan", "scenarios/cardan_pendulum.toml"},
+      {"gimbal", "scenarios/gimbal_servo.toml"},
+      {"pan_tilt", "scenarios/pan_tilt.toml"},
   };
   return rows;
 }
