@@ -126,12 +126,13 @@ std::vector<std::size_t> SparseFactor::weak_last(Real dependent) const {
 }
 
 // L_ij = (A_ij - sum_k<j L_ik D_k L_jk)/D_j,  D_i = A_ii - sum_j<i L_ij D_j L_ij;  `scaled_` has L_ik D_k.
+// D_j has the rounding of A_jj, and so L_ij D_j L_ij one that is larger by A_jj/D_j.
 void SparseFactor::eliminate(Real dependent) {
   weakest_ = 1, any_dependent_ = false;
   for (std::size_t i = 0; i < order_.size(); ++i) {
     const std::size_t last = start_[i + 1] - 1;
     const Real whole = value_[last];
-    Real d = whole;
+    Real d = whole, rounded = 0;
     for (std::size_t e = start_[i]; e < last; ++e) {
       const std::size_t j = column_[e], diagonal = start_[j + 1] - 1;
       Real sum = value_[e];
@@ -139,9 +140,12 @@ void SparseFactor::eliminate(Real dependent) {
       const Real pivot = value_[diagonal], l = pivot > 0 ? sum / pivot : 0;
       value_[e] = l, scaled_[j] = l * pivot;
       d -= l * scaled_[j];
+      if (pivot > 0) rounded += l * scaled_[j] / share_[j];
     }
     for (std::size_t e = start_[i]; e < last; ++e) scaled_[column_[e]] = 0;
-    value_[last] = d > (depended_[order_[i]] ? std::sqrt(dependent) : dependent) * whole ? d : 0;
+    const Real least = std::max(dependent * std::max(whole, rounded),
+                                depended_[order_[i]] ? std::sqrt(dependent) * whole : Real(0));
+    value_[last] = d > least ? d : 0;
     share_[i] = whole > 0 ? d / whole : 0;
     if (value_[last] > 0)
       weakest_ = std::min(weakest_, share_[i]);

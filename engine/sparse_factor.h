@@ -30,7 +30,7 @@ class SparseFactor {
   void set_pattern(const std::vector<Ends>&);
 
   /// Sets A: coupling(i, j) is called for rows that may couple, and factors it.  A row whose pivot is at most
-  /// `dependent` of its diagonal follows from those before it: D = 0 there; a row of which that was so before, where
+  /// `dependent` of its diagonal, or of what small pivots before it make of that in rounding, follows from those before it: D = 0 there; a row of which that was so before, where
   /// joints were closed, up to the root of that.  `closed`: whether they are, so that this may choose anew.
   template <class Coupling>
   void factor(Coupling coupling, Real dependent, bool closed) {
