@@ -1,9 +1,14 @@
-// The adapter of Rapier (@dimforge/rapier3d-compat, WebAssembly, single precision): a prepared scene in, motion out.
+// The adapter of Rapier (WebAssembly, single precision), in each of its builds: a prepared scene in, motion out.
 // Knows nothing of the protocol.
-import RAPIER from '@dimforge/rapier3d-compat';
 import {frame_of, held_coordinate} from './joints.mjs';
 import {Unsupported} from './scene.mjs';
 import {conjugate, multiply, quaternion_of, rotate, scale, sub, turn_of_y} from './vectors.mjs';
+
+/** The npm packages that hold Rapier, by the engine's name (engines.txt). */
+export const builds = {
+  'rapier': '@dimforge/rapier3d-compat',
+  'rapier-deterministic': '@dimforge/rapier3d-deterministic-compat',  // Rust's feature enhanced-determinism
+};
 
 export const about = {
   name: 'rapier', title: 'Rapier', build: 'WebAssembly', native: 'native code of Rust', precision: 'float',
@@ -56,7 +61,10 @@ export const about = {
   ],
 };
 
-export async function start() {
+let RAPIER;  // the build that runs
+
+export async function start(name = 'rapier') {
+  RAPIER = (await import(builds[name])).default;
   await RAPIER.init();
   return {version: RAPIER.version(), load: (scene, dt, values) => new World(scene, dt, values), defaults};
 }
@@ -116,10 +124,8 @@ function* colliders_of(body) {
 
 // ---- A world ------------------------------------------------------------------------------------------
 
-const M = RAPIER.JointAxesMask;
 const largest = 3.4e38;  // of single precision
 const rigid = 1e10;      // of a motor's damper [N s/m, N m s/rad]
-const hooks_on = RAPIER.ActiveHooks.FILTER_CONTACT_PAIRS;
 
 class World {
   constructor(scene, dt, values) {
@@ -160,7 +166,7 @@ class World {
     description.setDensity(0)
       .setRestitution(this.restitution.of(thing)).setRestitutionCombineRule(rules[this.restitution.rule])
       .setFriction(this.friction.of(thing)).setFrictionCombineRule(rules[this.friction.rule]);
-    if (this.apart.size > 0) description.setActiveHooks(hooks_on);
+    if (this.apart.size > 0) description.setActiveHooks(RAPIER.ActiveHooks.FILTER_CONTACT_PAIRS);
     this.things.set(this.world.createCollider(description, body).handle, thing);
   }
 
@@ -192,7 +198,7 @@ class World {
     const local = (body) => xyz(rotate(conjugate(body.orientation), sub(joint.point, body.position)));
     const axis = (body) => xyz(rotate(conjugate(body.orientation), scale(1 / Math.hypot(...joint.axis), joint.axis)));
     const frame = (body) => wxyz(conjugate(body.orientation));
-    const a = first, b = second ?? origin;
+    const a = first, b = second ?? origin, M = RAPIER.JointAxesMask;
     const data = {
       ball: () => RAPIER.JointData.spherical(local(a), local(b)),
       hinge: () => RAPIER.JointData.revoluteWithAxes(local(a), local(b), axis(a), axis(b)),

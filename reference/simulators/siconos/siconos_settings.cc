@@ -35,6 +35,11 @@ std::vector<applied::Option> rows() {
        .least = 1,
        .most = 1e6,
        .whole = true},
+      {.name = "solver",
+       .setting = "FrictionContact(3, SICONOS_FRICTION_3D_...)",
+       .words = siconos_border::friction_solvers(),
+       .engine_default = 0,
+       .meaning = "of contacts with friction"},
       {.name = "solver-tolerance",
        .setting = "SICONOS_DPARAM_TOL",
        .engine_default = 1e-4,
@@ -149,6 +154,7 @@ siconos_border::Settings siconos_border_settings(const applied::Settings& run, d
   settings.dt = dt, settings.theta = run.integrator == midpoint ? 0.5 : 1;
   settings.newton_tolerance = run.at("newton-tolerance");
   settings.newton_iterations = static_cast<int>(run.at("newton-iterations"));
+  settings.solver = static_cast<std::size_t>(run.at("solver"));
   settings.solver_tolerance = run.at("solver-tolerance");
   settings.solver_iterations = static_cast<int>(run.at("solver-iterations"));
   return settings;

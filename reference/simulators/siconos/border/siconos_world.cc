@@ -12,6 +12,30 @@ extern "C" void openblas_set_num_threads(int) __attribute__((weak));
 namespace cylon::simulators::siconos_border {
 namespace {
 
+struct SolverRow {
+  const char* name;
+  int id;
+};
+constexpr SolverRow solver_rows[] = {
+    {"nsgs", SICONOS_FRICTION_3D_NSGS},
+    {"nsgs-velocity", SICONOS_FRICTION_3D_NSGSV},
+    {"proximal", SICONOS_FRICTION_3D_PROX},
+    {"tresca", SICONOS_FRICTION_3D_TFP},
+    {"newton-alart-curnier", SICONOS_FRICTION_3D_NSN_AC},
+    {"de-saxce", SICONOS_FRICTION_3D_DSFP},
+    {"vi-fixed-point", SICONOS_FRICTION_3D_VI_FPP},
+    {"vi-extragradient", SICONOS_FRICTION_3D_VI_EG},
+    {"hyperplane", SICONOS_FRICTION_3D_HP},
+    {"fixed-point-projection", SICONOS_FRICTION_3D_FPP},
+    {"extragradient", SICONOS_FRICTION_3D_EG},
+    {"newton-fischer-burmeister", SICONOS_FRICTION_3D_NSN_FB},
+    {"alart-curnier-fixed-point", SICONOS_FRICTION_3D_ACLMFP},
+    {"soclcp", SICONOS_FRICTION_3D_SOCLCP},
+    {"newton-natural-map", SICONOS_FRICTION_3D_NSN_NM},
+    {"panagiotopoulos", SICONOS_FRICTION_3D_PFP},
+    {"admm", SICONOS_FRICTION_3D_ADMM},
+};
+
 // The error callback of Siconos has no user data, so the counter of the world that is stepping stands here.
 thread_local std::int64_t* failures = nullptr;
 void count_failure(int info, Simulation* /*simulation*/) {
@@ -30,6 +54,15 @@ class PushedBody final : public NewtonEulerDS {
 };
 
 }  // namespace
+
+const std::vector<std::string>& friction_solvers() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const SolverRow& row : solver_rows) all.emplace_back(row.name);
+    return all;
+  }();
+  return names;
+}
 
 struct World::Parts {
   struct Touch {
@@ -108,7 +141,7 @@ void World::Parts::add(const Contact& contact, bool rough) {
 void World::Parts::set_solver(const Settings& settings, bool rough) {
   std::shared_ptr<OneStepNSProblem> problem;
   if (rough) {
-    problem = std::make_shared<FrictionContact>(3);
+    problem = std::make_shared<FrictionContact>(3, solver_rows[settings.solver].id);
     SolverOptions& options = *problem->numericsSolverOptions();
     options.dparam[SICONOS_DPARAM_TOL] = settings.solver_tolerance;
     options.iparam[SICONOS_IPARAM_MAX_ITER] = settings.solver_iterations;
@@ -178,12 +211,24 @@ std::array<double, 9> World::inertia(std::size_t body) const {
   return inertia;
 }
 
+std::size_t World::solver() const {
+  const OneStepNSProblem& problem = **parts_->stepping->oneStepNSProblems()->begin();
+  const int id = problem.numericsSolverOptions()->solverId;
+  const auto* row = std::find_if(std::begin(solver_rows), std::end(solver_rows),
+                                 [id](const SolverRow& one) { return one.id == id; });
+  return static_cast<std::size_t>(row - std::begin(solver_rows));
+}
+
 Settings World::defaults() {
   TimeStepping stepping(std::make_shared<NonSmoothDynamicalSystem>(0., 1.),
                         std::make_shared<TimeDiscretisation>(0., 1e-3));
   FrictionContact problem(3);
   const SolverOptions& options = *problem.numericsSolverOptions();
   Settings own;
+  own.solver = static_cast<std::size_t>(
+      std::find_if(std::begin(solver_rows), std::end(solver_rows),
+                   [&](const SolverRow& one) { return one.id == options.solverId; }) -
+      std::begin(solver_rows));
   own.theta = MoreauJeanOSI().theta();
   own.newton_tolerance = stepping.newtonTolerance();
   own.newton_iterations = static_cast<int>(stepping.newtonMaxIteration());

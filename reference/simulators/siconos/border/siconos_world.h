@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace cylon::simulators::siconos_border {
@@ -39,8 +40,12 @@ struct Contact {
   double restitution = 0, friction = 0;
 };
 
+/// Siconos's solvers of contacts with friction, by our names; NSGS, which it takes by itself, is the first.
+const std::vector<std::string>& friction_solvers();
+
 struct Settings {
   double dt = 1e-3, theta = 0.5;
+  std::size_t solver = 0;  ///< Place among friction_solvers().
   double newton_tolerance = 1e-6;
   int newton_iterations = 50;
   double solver_tolerance = 1e-4;
@@ -80,6 +85,7 @@ class World {
   /// What Siconos holds, for tests.
   double mass(std::size_t body) const;
   std::array<double, 9> inertia(std::size_t body) const;
+  std::size_t solver() const;  ///< Place among friction_solvers(); of a world with friction.
 
   /// Siconos's own values of what a run may set.
   static Settings defaults();
