@@ -27,6 +27,7 @@ struct Axis {
 /// found good after all vertices of both were asked (seed eq. 103 asks one, errata 35), so an ill-conditioned
 /// edge pair never makes a gap too large.  Faces win ties, to rounding.
 /// `reach` [m]: at least the distance where the two may be apart; edges farther than it are left out.
+/// D. Gregorius, The Separating Axis Test between Convex Polyhedra, GDC 2013.
 Axis widest_axis(const Couple&, Real reach);
 
 /// The same of two that overlap beyond rounding, where that is sure without nearest(): where what is deepest over the best
