@@ -83,6 +83,8 @@ const Mistake mistakes[] = {
     {"siconos/integrator=moreau-jan", {"integrator 'moreau-jan'", "did you mean 'moreau-jean'?"}},
     {"siconos/newton-tolerance=0", {"newton-tolerance = '0'", "(0, 1]"}},
     {"siconos/solver-iterations=0", {"solver-iterations = '0'", "whole"}},
+    {"siconos/solver=admn", {"value of option solver 'admn'", "did you mean 'admm'?"}},
+    {"siconos/solver=soclcp", {"value of option solver 'soclcp'", "valid: nsgs, "}},
     {"cannon-es/path=stand_in", {"path 'stand_in'", "did you mean 'stand-in'?"}},
     {"cannon-es/friction=times_dt", {"value of option friction 'times_dt'", "did you mean 'times-dt'?"}},
     {"cannon-es/angular-damping=2", {"angular-damping = '2'", "[0, 1]"}},

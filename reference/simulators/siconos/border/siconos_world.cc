@@ -16,25 +16,30 @@ struct SolverRow {
   const char* name;
   int id;
 };
+
+// Those that solve every step of the tests' scenes with their own tolerances and iterations; docs/engines.md says what the others
+// do.
 constexpr SolverRow solver_rows[] = {
     {"nsgs", SICONOS_FRICTION_3D_NSGS},
-    {"nsgs-velocity", SICONOS_FRICTION_3D_NSGSV},
-    {"proximal", SICONOS_FRICTION_3D_PROX},
     {"tresca", SICONOS_FRICTION_3D_TFP},
-    {"newton-alart-curnier", SICONOS_FRICTION_3D_NSN_AC},
-    {"de-saxce", SICONOS_FRICTION_3D_DSFP},
-    {"vi-fixed-point", SICONOS_FRICTION_3D_VI_FPP},
-    {"vi-extragradient", SICONOS_FRICTION_3D_VI_EG},
-    {"hyperplane", SICONOS_FRICTION_3D_HP},
     {"fixed-point-projection", SICONOS_FRICTION_3D_FPP},
     {"extragradient", SICONOS_FRICTION_3D_EG},
+    {"newton-alart-curnier", SICONOS_FRICTION_3D_NSN_AC},
     {"newton-fischer-burmeister", SICONOS_FRICTION_3D_NSN_FB},
     {"alart-curnier-fixed-point", SICONOS_FRICTION_3D_ACLMFP},
-    {"soclcp", SICONOS_FRICTION_3D_SOCLCP},
-    {"newton-natural-map", SICONOS_FRICTION_3D_NSN_NM},
-    {"panagiotopoulos", SICONOS_FRICTION_3D_PFP},
     {"admm", SICONOS_FRICTION_3D_ADMM},
 };
+
+FrictionSolver described(const char* name, const SolverOptions& options) {
+  return {name, options.dparam[SICONOS_DPARAM_TOL], options.iparam[SICONOS_IPARAM_MAX_ITER]};
+}
+
+// None for a solver of another problem.
+std::optional<FrictionSolver> friction_solver(const SolverOptions& options) {
+  for (const SolverRow& row : solver_rows)
+    if (row.id == options.solverId) return described(row.name, options);
+  return {};
+}
 
 // The error callback of Siconos has no user data, so the counter of the world that is stepping stands here.
 thread_local std::int64_t* failures = nullptr;
@@ -55,13 +60,14 @@ class PushedBody final : public NewtonEulerDS {
 
 }  // namespace
 
-const std::vector<std::string>& friction_solvers() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> all;
-    for (const SolverRow& row : solver_rows) all.emplace_back(row.name);
+const std::vector<FrictionSolver>& friction_solvers() {
+  static const std::vector<FrictionSolver> solvers = [] {
+    std::vector<FrictionSolver> all;
+    for (const SolverRow& row : solver_rows)
+      all.push_back(described(row.name, *FrictionContact(3, row.id).numericsSolverOptions()));
     return all;
   }();
-  return names;
+  return solvers;
 }
 
 struct World::Parts {
@@ -143,8 +149,8 @@ void World::Parts::set_solver(const Settings& settings, bool rough) {
   if (rough) {
     problem = std::make_shared<FrictionContact>(3, solver_rows[settings.solver].id);
     SolverOptions& options = *problem->numericsSolverOptions();
-    options.dparam[SICONOS_DPARAM_TOL] = settings.solver_tolerance;
-    options.iparam[SICONOS_IPARAM_MAX_ITER] = settings.solver_iterations;
+    if (settings.solver_tolerance) options.dparam[SICONOS_DPARAM_TOL] = *settings.solver_tolerance;
+    if (settings.solver_iterations) options.iparam[SICONOS_IPARAM_MAX_ITER] = *settings.solver_iterations;
   } else {
     problem = std::make_shared<LCP>();
   }
@@ -211,29 +217,24 @@ std::array<double, 9> World::inertia(std::size_t body) const {
   return inertia;
 }
 
-std::size_t World::solver() const {
-  const OneStepNSProblem& problem = **parts_->stepping->oneStepNSProblems()->begin();
-  const int id = problem.numericsSolverOptions()->solverId;
-  const auto* row = std::find_if(std::begin(solver_rows), std::end(solver_rows),
-                                 [id](const SolverRow& one) { return one.id == id; });
-  return static_cast<std::size_t>(row - std::begin(solver_rows));
+std::optional<FrictionSolver> World::solver() const {
+  return friction_solver(*(*parts_->stepping->oneStepNSProblems()->begin())->numericsSolverOptions());
 }
 
 Settings World::defaults() {
   TimeStepping stepping(std::make_shared<NonSmoothDynamicalSystem>(0., 1.),
                         std::make_shared<TimeDiscretisation>(0., 1e-3));
   FrictionContact problem(3);
-  const SolverOptions& options = *problem.numericsSolverOptions();
+  const std::optional<FrictionSolver> solver = friction_solver(*problem.numericsSolverOptions());
+  const auto& all = friction_solvers();
   Settings own;
   own.solver = static_cast<std::size_t>(
-      std::find_if(std::begin(solver_rows), std::end(solver_rows),
-                   [&](const SolverRow& one) { return one.id == options.solverId; }) -
-      std::begin(solver_rows));
+      std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == solver->name; }) -
+      all.begin());
+  own.solver_tolerance = solver->tolerance, own.solver_iterations = solver->iterations;
   own.theta = MoreauJeanOSI().theta();
   own.newton_tolerance = stepping.newtonTolerance();
   own.newton_iterations = static_cast<int>(stepping.newtonMaxIteration());
-  own.solver_tolerance = options.dparam[SICONOS_DPARAM_TOL];
-  own.solver_iterations = options.iparam[SICONOS_IPARAM_MAX_ITER];
   return own;
 }
 
