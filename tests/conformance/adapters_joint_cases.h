@@ -62,6 +62,7 @@ inline constexpr Taken taken[] = {
     // no screws, no single stop of an angle, no stop that gives back; Rapier also no universal joint
     {"jolt", 5, 8, 4},
     {"rapier", 4, 8, 4},
+    {"rapier-deterministic", 4, 8, 4},
     {"crashcat", 5, 8, 4},
     {"physx", 5, 8, 4},
 };

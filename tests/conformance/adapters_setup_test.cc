@@ -101,6 +101,8 @@ const Mistake mistakes[] = {
     {"rapier/solver-iterations=0", {"solver-iterations = '0'", "whole number in [1, 1000]"}},
     {"rapier/contact-frequency=0", {"contact-frequency = '0'", "(0, 1000000000]"}},
     {"rapier/sleeping=yes", {"value of option sleeping 'yes'", "off, on"}},
+    {"rapier-deterministic/gyro=off", {"rapier-deterministic: no option 'gyro'"}},
+    {"rapier-deterministic/solver-iterations=0", {"rapier-deterministic: option solver-iterations = '0'"}},
     {"havok/path=standin", {"path 'standin'", "did you mean 'stand-in'?"}},
     {"havok/forces=impulse", {"value of option forces 'impulse'", "did you mean 'impulses'?"}},
     {"havok/gyroscopic-torque=on", {"value of option gyroscopic-torque 'on'", "refused, left-out"}},

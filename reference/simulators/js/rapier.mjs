@@ -1,14 +1,8 @@
-// The adapter of Rapier (WebAssembly, single precision), in each of its builds: a prepared scene in, motion out.
+// The adapter of Rapier (WebAssembly, single precision): a prepared scene in, motion out.
 // Knows nothing of the protocol.
 import {frame_of, held_coordinate} from './joints.mjs';
 import {Unsupported} from './scene.mjs';
 import {conjugate, multiply, quaternion_of, rotate, scale, sub, turn_of_y} from './vectors.mjs';
-
-/** The npm packages that hold Rapier, by the engine's name (engines.txt). */
-export const builds = {
-  'rapier': '@dimforge/rapier3d-compat',
-  'rapier-deterministic': '@dimforge/rapier3d-deterministic-compat',  // Rust's feature enhanced-determinism
-};
 
 export const about = {
   name: 'rapier', title: 'Rapier', build: 'WebAssembly', native: 'native code of Rust', precision: 'float',
@@ -61,10 +55,11 @@ export const about = {
   ],
 };
 
-let RAPIER;  // the build that runs
+let RAPIER;  // the package that runs
 
-export async function start(name = 'rapier') {
-  RAPIER = (await import(builds[name])).default;
+/** Of one of the packages that have Rapier's interface (rapier-deterministic.mjs). */
+export async function start(rapier = '@dimforge/rapier3d-compat') {
+  RAPIER = (await import(rapier)).default;
   await RAPIER.init();
   return {version: RAPIER.version(), load: (scene, dt, values) => new World(scene, dt, values), defaults};
 }

@@ -1,10 +1,10 @@
 #!/usr/bin/env node
 // A worker (docs/protocol.md) for engines in JavaScript and WebAssembly.  The build links cylon-worker-NAME to this file;
-// NAME says which module of this folder is the engine, and NAME-BUILD which of its builds.
+// NAME says which module of this folder is the engine.
 //
 // A module exports `about`, what it says of itself (settings.mjs; its joints: joints.mjs; `substeps`, of the values of its
-// options and the step, where a step has several parts with gravity of their own), `builds`, the npm packages by such names where there
-// are several, and `start(NAME)`, which gives {version, load(scene, dt, values), defaults()}.  A world that load() gives has step(), push(i, force, torque), read(i): {position,
+// options and the step, where a step has several parts with gravity of their own), and `start()`, which gives {version, load(scene, dt,
+// values), defaults()}.  A world that load() gives has step(), push(i, force, torque), read(i): {position,
 // orientation, velocity, spin}, free() and, where there is something to say of a run, remarks(); where a mass may change,
 // set_mass(i, mass).
 import fs from 'node:fs';
@@ -220,22 +220,16 @@ function refuse_to_start(error) {
   return 1;
 }
 
-/** "rapier-deterministic" is a build of rapier.mjs; cannon-es has a module of its own. */
-function module_of(name) {
-  const family = name.slice(0, name.lastIndexOf('-')), has_module = (one) => fs.existsSync(new URL(`./${one}.mjs`, import.meta.url));
-  return !has_module(name) && has_module(family) ? family : name;
-}
-
 async function main() {
   const name = path.basename(process.argv[1]).replace('cylon-worker-', '');
   let module, engine;
   try {
-    module = await import(`./${module_of(name)}.mjs`);
-    engine = await module.start(name);
+    module = await import(`./${name}.mjs`);
+    engine = await module.start();
   } catch (error) {
     return refuse_to_start(error);
   }
-  return serve(new Session({...module.about, name}, engine));
+  return serve(new Session(module.about, engine));
 }
 
 try {
