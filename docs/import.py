@@ -22,8 +22,8 @@ import tempfile
 root = pathlib.Path(__file__).resolve().parent.parent
 page = root / "docs/import.md"
 FORMATS = {".xml": "MJCF", ".mjcf": "MJCF", ".sdf": "SDFormat", ".world": "SDFormat", ".urdf": "URDF"}
-ENGINES = ["in-house", "bullet", "bullet-multibody", "ode", "mujoco", "mujoco3", "simbody", "dart", "siconos", "jolt", "rapier", "rapier-deterministic", "physx",
-           "havok", "crashcat", "cannon-es"]
+ENGINES = ["in-house", "bullet", "bullet-multibody", "ode", "mujoco", "mujoco3", "simbody", "dart", "siconos", "jolt", "rapier", "physx", "havok",
+           "crashcat", "cannon-es"]
 PATIENCE = 20  # [s] of one run on one engine
 
 # From the best to the worst; a scene counts by the worst of its claims.
