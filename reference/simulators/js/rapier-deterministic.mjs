@@ -1,4 +1,5 @@
-// Rapier's deterministic build, which npm has as a package of its own: the adapter is that of Rapier.
+// Rapier's deterministic build, which npm has as a package of its own: the adapter is that of Rapier.  Its features:
+// builds/prepare_builds/assets/dim3_deterministic.json of dimforge/rapier.js.
 import * as rapier from './rapier.mjs';
 
 export const about = {
