@@ -8,6 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
+#include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -89,7 +93,7 @@ std::vector<RoughScene> rough_scenes(double mass) {
   };
   RoughScene pile{"four balls that lean on each other", {}, {}, 0.3};
   for (int k = 0; k < 3; ++k) {
-    const double angle = 2 * M_PI * k / 3, out = 2 * touching / std::sqrt(3);
+    const double angle = 2 * std::numbers::pi * k / 3, out = 2 * touching / std::sqrt(3);
     pile.bodies.push_back(ball({out * std::cos(angle), touching, out * std::sin(angle)}, {}, mass, inertia));
   }
   pile.bodies.push_back(ball({0, touching * (1 + 2 * std::sqrt(2. / 3)), 0}, {}, mass, inertia));
