@@ -66,6 +66,7 @@ inline constexpr Taken taken[] = {
     // no screws, no single stop of an angle, no stop that gives back; Rapier also no universal joint
     {"jolt", 7, 8, 4},
     {"rapier", 6, 8, 4},
+    {"rapier-deterministic", 6, 8, 4},
     {"crashcat", 7, 8, 4},
     {"physx", 7, 8, 4},
 };

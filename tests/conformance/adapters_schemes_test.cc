@@ -36,7 +36,7 @@ core::Scene forced(const Laws& laws) {
 }
 
 // Equal parts of a step in which a state moves under the forces of its beginning.
-int substeps(const Subject& subject) { return std::string_view(subject.id) == "rapier" ? 4 : 1; }
+int substeps(const Subject& subject) { return std::string_view(subject.id).starts_with("rapier") ? 4 : 1; }
 
 // v' = v + dt F(x, v, t)/m,  x' = x + dt v';  in n substeps of dt/n with the force of the first.
 core::State semi_implicit_euler(const core::Scene& scene, const Laws& laws, double dt, int steps,
@@ -117,7 +117,7 @@ Vector3 of_jolt(const core::Matrix3& inertia, const Vector3& w, double dt) {
 }
 
 Turn turn_of(std::string_view id) {
-  if (id == "jolt" || id == "rapier" || id == "physx" || id == "crashcat") return of_jolt;
+  if (id == "jolt" || id.starts_with("rapier") || id == "physx" || id == "crashcat") return of_jolt;
   if (id.starts_with("bullet-multibody") || id.starts_with("mujoco")) return of_multibody;
   return id.starts_with("bullet") ? of_bullet : of_ode;
 }

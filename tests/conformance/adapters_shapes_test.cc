@@ -52,6 +52,8 @@ std::vector<Subject> where_contacts_begin_at_the_touch() {
     if (std::string_view(subject.id) == "crashcat")
       subject.id = "crashcat/speculative-distance=0,pair-cache=off";
     if (std::string_view(subject.id) == "rapier") subject.id = "rapier/prediction=0";
+    if (std::string_view(subject.id) == "rapier-deterministic")
+      subject.id = "rapier-deterministic/prediction=0";
   }
   return all;
 }

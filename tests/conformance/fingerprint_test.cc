@@ -71,7 +71,8 @@ TEST(Fingerprint, IdentifiesEngines) {
   }
 }
 
-// What tells the engines apart: no two of them answer all of these alike.
+// What tells the engines apart: no two of them answer all of these alike.  rapier-deterministic is not among them: its bits
+// are those of rapier (rapier_builds_test.cc), and so are its answers.
 constexpr std::string_view telling[] = {"precision",   "free fall", "gyroscopic torque",
                                         "restitution", "friction",  "rest"};
 constexpr const char* engines[] = {

@@ -69,6 +69,7 @@ constexpr JointRow joints[] = {
 
 constexpr SettingRow settings[] = {
     {"build", "", Where::program, ""},
+    {"features of the Rust crate", "", Where::program, ""},  // the package has them
     {"mass, inertia", "", Where::program, ""},
     {"restitution, friction", "", Where::program, ""},
     {"forces of a step", "", Where::program, ""},
@@ -87,23 +88,33 @@ constexpr SettingRow settings[] = {
      "  world.integrationParameters.contact_natural_frequency = ${value};\n"},
 };
 
+constexpr Dialect of_build(std::string_view engine, std::string_view title, std::string_view install,
+                           std::string_view head) {
+  return {
+      engine,
+      title,
+      &javascript,
+      install,
+      "node ${file}",
+      head,
+      functions,
+      "  add_shape(${shape}, id[${i}]);\n",
+      "",
+      "  add_shape(new RAPIER.ColliderDesc(new RAPIER.HalfSpace({x: 0, y: 1, z: 0})), world.createRigidBody("
+      "RAPIER.RigidBodyDesc.fixed().setTranslation(...${foot}).setRotation(wxyz(${turn_of_y}))));\n",
+      shapes,
+      joints,
+      settings};
+}
+
 }  // namespace
 
-extern const Dialect rapier;
-const Dialect rapier = {
-    "rapier",
-    "Rapier",
-    &javascript,
-    "npm install @dimforge/rapier3d-compat",
-    "node ${file}",
-    "import RAPIER from '@dimforge/rapier3d-compat';\n",
-    functions,
-    "  add_shape(${shape}, id[${i}]);\n",
-    "",
-    "  add_shape(new RAPIER.ColliderDesc(new RAPIER.HalfSpace({x: 0, y: 1, z: 0})), world.createRigidBody("
-    "RAPIER.RigidBodyDesc.fixed().setTranslation(...${foot}).setRotation(wxyz(${turn_of_y}))));\n",
-    shapes,
-    joints,
-    settings};
+extern const Dialect rapier, rapier_deterministic;
+const Dialect rapier = of_build("rapier", "Rapier", "npm install @dimforge/rapier3d-compat",
+                                "import RAPIER from '@dimforge/rapier3d-compat';\n");
+const Dialect rapier_deterministic =
+    of_build("rapier-deterministic", "Rapier, deterministic build",
+             "npm install @dimforge/rapier3d-deterministic-compat",
+             "import RAPIER from '@dimforge/rapier3d-deterministic-compat';\n");
 
 }  // namespace cylon::hunt::program

@@ -1,6 +1,5 @@
-// The adapter of Rapier (@dimforge/rapier3d-compat, WebAssembly, single precision): a prepared scene in, motion out.
+// The adapter of Rapier (WebAssembly, single precision): a prepared scene in, motion out.
 // Knows nothing of the protocol.
-import RAPIER from '@dimforge/rapier3d-compat';
 import {frame_of, held_coordinate, kept} from './joints.mjs';
 import {Unsupported} from './scene.mjs';
 import {conjugate, multiply, quaternion_of, rotate, scale, sub, turn_of_y} from './vectors.mjs';
@@ -56,7 +55,11 @@ export const about = {
   ],
 };
 
-export async function start() {
+let RAPIER;  // the package that runs
+
+/** Of one of the packages that have Rapier's interface (rapier-deterministic.mjs). */
+export async function start(rapier = '@dimforge/rapier3d-compat') {
+  RAPIER = (await import(rapier)).default;
   await RAPIER.init();
   return {version: RAPIER.version(), load: (scene, dt, values) => new World(scene, dt, values), defaults};
 }
@@ -116,10 +119,8 @@ function* colliders_of(body) {
 
 // ---- A world ------------------------------------------------------------------------------------------
 
-const M = RAPIER.JointAxesMask;
 const largest = 3.4e38;  // of single precision
 const rigid = 1e10;      // of a motor's damper [N s/m, N m s/rad]
-const hooks_on = RAPIER.ActiveHooks.FILTER_CONTACT_PAIRS;
 
 class World {
   constructor(scene, dt, values) {
@@ -160,7 +161,7 @@ class World {
     description.setDensity(0)
       .setRestitution(this.restitution.of(thing)).setRestitutionCombineRule(rules[this.restitution.rule])
       .setFriction(this.friction.of(thing)).setFrictionCombineRule(rules[this.friction.rule]);
-    if (this.apart.size > 0) description.setActiveHooks(hooks_on);
+    if (this.apart.size > 0) description.setActiveHooks(RAPIER.ActiveHooks.FILTER_CONTACT_PAIRS);
     this.things.set(this.world.createCollider(description, body).handle, thing);
   }
 
@@ -192,7 +193,7 @@ class World {
     const local = (body) => xyz(rotate(conjugate(body.orientation), sub(joint.point, body.position)));
     const axis = (body) => xyz(rotate(conjugate(body.orientation), scale(1 / Math.hypot(...joint.axis), joint.axis)));
     const frame = (body) => wxyz(conjugate(body.orientation));
-    const a = first, b = second ?? origin;
+    const a = first, b = second ?? origin, M = RAPIER.JointAxesMask;
     const data = {
       ball: () => RAPIER.JointData.spherical(local(a), local(b)),
       hinge: () => RAPIER.JointData.revoluteWithAxes(local(a), local(b), axis(a), axis(b)),

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <exception>
 #include <limits>
@@ -67,11 +68,13 @@ class Siconos final : public core::Simulator {
 core::Terms Siconos::load(const Scene& scene, const Setup& setup) {
   forces_.emplace(scene);
   const bool touches = core::any_touching_pair(scene, [](const core::Pair&) { return true; });
-  const SiconosKind kind{touches, forces_->any()};
+  translated_ = siconos_scene(scene);
+  const bool rough = std::ranges::any_of(translated_.contacts,
+                                         [](const siconos_border::Contact& one) { return one.friction > 0; });
+  const SiconosKind kind{touches, forces_->any(), rough};
   const applied::Settings settings = siconos_settings(engine_, setup, kind);
   scene_ = scene, dt_ = setup.dt, steps_ = 0;
   first_of_solver_ = first_of_newton_ = 0, lost_.reset();
-  translated_ = siconos_scene(scene_);
   const siconos_border::Settings own = siconos_border_settings(settings, dt_);
   theta_ = own.theta;
   world_ = std::make_unique<siconos_border::World>(translated_.bodies, translated_.contacts, own);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,13 @@ constexpr const char* midpoint = "moreau-jean";
 constexpr const char* implicit = "moreau-jean-implicit";
 
 // ---- Options ----------------------------------------------------------------------------------------
+
+std::vector<std::string> names_of_solvers() {
+  std::vector<std::string> names;
+  for (const siconos_border::FrictionSolver& one : siconos_border::friction_solvers())
+    names.push_back(one.name);
+  return names;
+}
 
 // Defaults: kernel/src/simulationTools/TimeStepping.hpp:78 and :81, numerics/src/LCP/lcp_lexicolemke.c,
 // numerics/src/FrictionContact/fc3d_nsgs.c; siconos_tests reads them from Siconos.
@@ -35,18 +43,25 @@ std::vector<applied::Option> rows() {
        .least = 1,
        .most = 1e6,
        .whole = true},
+      {.name = "solver",
+       .setting = "FrictionContact(3, SICONOS_FRICTION_3D_...)",
+       .words = names_of_solvers(),
+       .engine_default = 0,
+       .meaning = "of contacts with friction; without friction Lemke's method is exact"},
       {.name = "solver-tolerance",
        .setting = "SICONOS_DPARAM_TOL",
        .engine_default = 1e-4,
-       .meaning = "of the solver of contacts with friction (NSGS); without friction Lemke's method is exact",
+       .meaning =
+           "residual below which that solver ends; the default is that of nsgs, other solvers have their own",
        .least = 0,
        .most = 1,
        .above = true},
       {.name = "solver-iterations",
        .setting = "SICONOS_IPARAM_MAX_ITER",
        .engine_default = 1000,
-       .meaning =
-           "sweeps of that solver at most; a step that needs more is taken as it is, which a remark says",
+       .meaning = "iterations of that solver at most, of which other solvers than nsgs have their own "
+                  "default; a step that "
+                  "needs more is taken as it is, which a remark says",
        .least = 1,
        .most = 1e9,
        .whole = true},
@@ -63,7 +78,8 @@ std::vector<Setting> of_the_scene() {
       {"NewtonImpactNSL, NewtonImpactFrictionNSL", "of the pair", "as modelled",
        "Newton's restitution along the normal, none across it, and Coulomb's cone"},
       {"OneStepNSProblem", "LCP; FrictionContact where a pair has friction", "as modelled",
-       "Lemke's method, and nonsmooth Gauss-Seidel (NSGS) on the exact cone"},
+       "Lemke's method, and a solver on Coulomb's exact cone: nonsmooth Gauss-Seidel (nsgs) unless asked "
+       "otherwise"},
       {"openblas_set_num_threads", "1", "the processors of the machine",
        "its threads wait for each other over matrices of a few rows"},
       {"springs, drag, thrust, drive, attraction, water, forces of a frame that turns or accelerates",
@@ -78,6 +94,9 @@ std::vector<std::string> unforceable() {
       "velocity before "
       "the step (MoreauJeanOSI.cpp, addInteractionInIndexSet).",
       "Penetration is not corrected: what a step lets in stays.",
+      "The residual of friction solvers adds impulses in N s and velocities in m/s (fc3d_compute_error.c): "
+      "one tolerance is coarse "
+      "for light bodies and fine for heavy ones.",
       "All contacts of a step are solved together, with Newton's restitution.",
       "A step of which a solver or Newton's iteration fails is taken as it is, with a warning on standard "
       "output "
@@ -117,6 +136,28 @@ int order(const applied::Settings& run, const SiconosKind& kind) {
   return run.integrator == midpoint && !kind.touches && !kind.forced ? 2 : 1;
 }
 
+// The settings of the solver of friction, with what that solver has by itself.
+std::vector<Setting> friction_settings(const applied::Settings& run, const SiconosKind& kind) {
+  const siconos_border::FrictionSolver& solver =
+      siconos_border::friction_solvers()[static_cast<std::size_t>(run.at("solver"))];
+  const std::pair<const char*, std::string> rows[] = {
+      {"solver", siconos_border::friction_solvers().front().name},
+      {"solver-tolerance", fmt::format("{}", solver.tolerance)},
+      {"solver-iterations", fmt::format("{}", solver.iterations)}};
+  std::vector<Setting> settings;
+  for (const auto& [option, own] : rows) {
+    const auto found = run.reasons.find(option);
+    if (found != run.reasons.end()) {
+      settings.push_back(applied::shown(run, as_shipped(), siconos_options(), option, found->second));
+      settings.back().engine_default = own;
+      if (!kind.rough) settings.back().reason += "; it does nothing here, where no pair has friction";
+    } else if (kind.rough && run.reasons.contains("solver")) {
+      settings.push_back({siconos_options().row(option).setting, own, own, "that solver's own"});
+    }
+  }
+  return settings;
+}
+
 }  // namespace
 
 const applied::Options& siconos_options() {
@@ -149,15 +190,19 @@ siconos_border::Settings siconos_border_settings(const applied::Settings& run, d
   settings.dt = dt, settings.theta = run.integrator == midpoint ? 0.5 : 1;
   settings.newton_tolerance = run.at("newton-tolerance");
   settings.newton_iterations = static_cast<int>(run.at("newton-iterations"));
-  settings.solver_tolerance = run.at("solver-tolerance");
-  settings.solver_iterations = static_cast<int>(run.at("solver-iterations"));
+  settings.solver = static_cast<std::size_t>(run.at("solver"));
+  if (run.reasons.contains("solver-tolerance")) settings.solver_tolerance = run.at("solver-tolerance");
+  if (run.reasons.contains("solver-iterations"))
+    settings.solver_iterations = static_cast<int>(run.at("solver-iterations"));
   return settings;
 }
 
 core::Terms siconos_terms(const applied::Settings& run, const SiconosKind& kind) {
   core::Terms terms{run.path, run.integrator, order(run, kind), "implicit", of_the_scene(), unforceable()};
   for (const auto& [option, reason] : run.reasons)
-    terms.settings.push_back(applied::shown(run, as_shipped(), siconos_options(), option, reason));
+    if (!option.starts_with("solver"))
+      terms.settings.push_back(applied::shown(run, as_shipped(), siconos_options(), option, reason));
+  for (const Setting& one : friction_settings(run, kind)) terms.settings.push_back(one);
   return terms;
 }
 

@@ -13,6 +13,7 @@ namespace cylon::simulators {
 struct SiconosKind {
   bool touches = false;  ///< Some pair may touch.
   bool forced = false;   ///< Something but gravity acts, constant during a step.
+  bool rough = false;    ///< Some pair that may touch has friction.
 };
 
 const applied::Options& siconos_options();

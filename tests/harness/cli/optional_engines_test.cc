@@ -127,5 +127,15 @@ TEST(OptionalEnginesTable, HasRowsThatSayWhatBringsThem) {
     EXPECT_FALSE(row.optional()) << row.id;
 }
 
+// Of one that is here.
+TEST_F(OptionalEngines, EndWithTwoWhereAnOptionHasNoSuchValue) {
+  const process::EngineChoice siconos =
+      process::parse_engine("siconos", process::default_engines(binary_dir));
+  if (const auto reason = process::missing(siconos.row)) GTEST_SKIP() << *reason;
+  const Ran ran = shell("exec cylon run slide_to_roll --engine siconos/solver=soclcp");
+  EXPECT_EQ(ran.code, 2) << ran.out << ran.err;
+  EXPECT_NE(ran.err.find("no value of option solver 'soclcp' (valid: nsgs, "), std::string::npos) << ran.err;
+}
+
 }  // namespace
 }  // namespace cylon::cli

@@ -167,7 +167,8 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.engine << ", " << c.o
 double allowed(const Case& c, const Program& program, std::int64_t steps) {
   const double size = std::string(program.unit) == "J" ? 100 : 1;
   const std::string_view id = c.engine, engine = id.substr(0, id.find('/'));
-  const bool single = engine == "rapier" || engine == "jolt" || engine == "physx" || engine == "havok";
+  const bool single =
+      engine.starts_with("rapier") || engine == "jolt" || engine == "physx" || engine == "havok";
   return 1e-6 * program.prints + (single ? 6e-8 * size * static_cast<double>(steps) : 0);
 }
 
@@ -188,6 +189,7 @@ const Case cases[] = {
     {"bullet", "energy from nowhere", springs},
     {"rapier", "energy", springs},
     {"rapier", "penetration", falling_balls},
+    {"rapier-deterministic", "penetration", falling_balls},
     {"rapier", "joint gap", pendulum},
     {"jolt", "energy", springs},
     {"jolt/path=as-shipped", "angular momentum", spinning_box},

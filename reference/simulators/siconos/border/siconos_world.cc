@@ -12,6 +12,35 @@ extern "C" void openblas_set_num_threads(int) __attribute__((weak));
 namespace cylon::simulators::siconos_border {
 namespace {
 
+struct SolverRow {
+  const char* name;
+  int id;
+};
+
+// Those that solve every step of the tests' scenes with their own tolerances and iterations; docs/engines.md says what the others
+// do.
+constexpr SolverRow solver_rows[] = {
+    {"nsgs", SICONOS_FRICTION_3D_NSGS},
+    {"tresca", SICONOS_FRICTION_3D_TFP},
+    {"fixed-point-projection", SICONOS_FRICTION_3D_FPP},
+    {"extragradient", SICONOS_FRICTION_3D_EG},
+    {"newton-alart-curnier", SICONOS_FRICTION_3D_NSN_AC},
+    {"newton-fischer-burmeister", SICONOS_FRICTION_3D_NSN_FB},
+    {"alart-curnier-fixed-point", SICONOS_FRICTION_3D_ACLMFP},
+    {"admm", SICONOS_FRICTION_3D_ADMM},
+};
+
+FrictionSolver described(const char* name, const SolverOptions& options) {
+  return {name, options.dparam[SICONOS_DPARAM_TOL], options.iparam[SICONOS_IPARAM_MAX_ITER]};
+}
+
+// None for a solver of another problem.
+std::optional<FrictionSolver> friction_solver(const SolverOptions& options) {
+  for (const SolverRow& row : solver_rows)
+    if (row.id == options.solverId) return described(row.name, options);
+  return {};
+}
+
 // The error callback of Siconos has no user data, so the counter of the world that is stepping stands here.
 thread_local std::int64_t* failures = nullptr;
 void count_failure(int info, Simulation* /*simulation*/) {
@@ -30,6 +59,16 @@ class PushedBody final : public NewtonEulerDS {
 };
 
 }  // namespace
+
+const std::vector<FrictionSolver>& friction_solvers() {
+  static const std::vector<FrictionSolver> solvers = [] {
+    std::vector<FrictionSolver> all;
+    for (const SolverRow& row : solver_rows)
+      all.push_back(described(row.name, *FrictionContact(3, row.id).numericsSolverOptions()));
+    return all;
+  }();
+  return solvers;
+}
 
 struct World::Parts {
   struct Touch {
@@ -108,10 +147,10 @@ void World::Parts::add(const Contact& contact, bool rough) {
 void World::Parts::set_solver(const Settings& settings, bool rough) {
   std::shared_ptr<OneStepNSProblem> problem;
   if (rough) {
-    problem = std::make_shared<FrictionContact>(3);
+    problem = std::make_shared<FrictionContact>(3, solver_rows[settings.solver].id);
     SolverOptions& options = *problem->numericsSolverOptions();
-    options.dparam[SICONOS_DPARAM_TOL] = settings.solver_tolerance;
-    options.iparam[SICONOS_IPARAM_MAX_ITER] = settings.solver_iterations;
+    if (settings.solver_tolerance) options.dparam[SICONOS_DPARAM_TOL] = *settings.solver_tolerance;
+    if (settings.solver_iterations) options.iparam[SICONOS_IPARAM_MAX_ITER] = *settings.solver_iterations;
   } else {
     problem = std::make_shared<LCP>();
   }
@@ -178,17 +217,24 @@ std::array<double, 9> World::inertia(std::size_t body) const {
   return inertia;
 }
 
+std::optional<FrictionSolver> World::solver() const {
+  return friction_solver(*(*parts_->stepping->oneStepNSProblems()->begin())->numericsSolverOptions());
+}
+
 Settings World::defaults() {
   TimeStepping stepping(std::make_shared<NonSmoothDynamicalSystem>(0., 1.),
                         std::make_shared<TimeDiscretisation>(0., 1e-3));
   FrictionContact problem(3);
-  const SolverOptions& options = *problem.numericsSolverOptions();
+  const std::optional<FrictionSolver> solver = friction_solver(*problem.numericsSolverOptions());
+  const auto& all = friction_solvers();
   Settings own;
+  own.solver = static_cast<std::size_t>(
+      std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == solver->name; }) -
+      all.begin());
+  own.solver_tolerance = solver->tolerance, own.solver_iterations = solver->iterations;
   own.theta = MoreauJeanOSI().theta();
   own.newton_tolerance = stepping.newtonTolerance();
   own.newton_iterations = static_cast<int>(stepping.newtonMaxIteration());
-  own.solver_tolerance = options.dparam[SICONOS_DPARAM_TOL];
-  own.solver_iterations = options.iparam[SICONOS_IPARAM_MAX_ITER];
   return own;
 }
 

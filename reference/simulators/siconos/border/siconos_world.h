@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace cylon::simulators::siconos_border {
@@ -39,12 +41,23 @@ struct Contact {
   double restitution = 0, friction = 0;
 };
 
+/// A solver of contacts with friction.
+struct FrictionSolver {
+  std::string name;
+  double tolerance = 0;  ///< Of its residual.
+  int iterations = 0;    ///< At most, in a step.
+};
+
+/// Siconos's, by our names, with what each has by itself; NSGS, which Siconos takes by itself, is the first.
+const std::vector<FrictionSolver>& friction_solvers();
+
 struct Settings {
   double dt = 1e-3, theta = 0.5;
+  std::size_t solver = 0;  ///< Place among friction_solvers().
   double newton_tolerance = 1e-6;
   int newton_iterations = 50;
-  double solver_tolerance = 1e-4;
-  int solver_iterations = 1000;
+  std::optional<double> solver_tolerance;  ///< Without a value, the solver's own; so with its iterations.
+  std::optional<int> solver_iterations;
 };
 
 /// What pressed in the last step.
@@ -80,6 +93,7 @@ class World {
   /// What Siconos holds, for tests.
   double mass(std::size_t body) const;
   std::array<double, 9> inertia(std::size_t body) const;
+  std::optional<FrictionSolver> solver() const;  ///< None where no contact has friction.
 
   /// Siconos's own values of what a run may set.
   static Settings defaults();

@@ -165,7 +165,7 @@ const unit = [1, 0, 0, 0, 1, 0, 0, 0, 1];
 
 // v' = v + g h, x' = x + v' h with h = dt/n: a step of n parts from rest falls g dt^2 (1 + 1/n)/2.
 const parts = [
-  ...engines.map((engine) => [engine, {}, {rapier: 4, havok: 4}[engine] ?? 1]),
+  ...engines.map((engine) => [engine, {}, {rapier: 4, 'rapier-deterministic': 4, havok: 4}[engine] ?? 1]),
   ['rapier', {options: {'solver-iterations': '1'}}, 1], ['rapier', {options: {'solver-iterations': '7'}}, 7],
   ['rapier', {path: 'as-shipped'}, 4],
   ...[[1 / 30, 8], [1 / 60, 4], [1 / 90, 3], [1 / 120, 2], [1 / 240, 1], [1 / 512, 1]].map(([dt, n]) => ['havok', {path: 'as-shipped', dt}, n]),
@@ -201,6 +201,19 @@ test('rapier tells what it holds a motion to', {skip: !engines.includes('rapier'
   assert.deepEqual(talk('rapier', [load(), run()]).messages.at(-1).remarks, []);
 });
 
+test('the builds of rapier have the same bits, and names of their own', {skip: !['rapier', 'rapier-deterministic'].every((e) => engines.includes(e))}, () => {
+  const floor = {plane: [{name: 'floor', normal: [0, 1, 0], offset: -1}], material: [{between: ['*', '*'], restitution: 0.4, friction: 0.3}]};
+  const box = (name, x) => body({name, collide: true, position: [x, 0.2, 0], shape: {type: 'box', half_extents: [0.3, 0.2, 0.4]}});
+  const touching = load({scene: scene({body: [box('a', 0), box('b', 1)], joint: [{type: 'hinge', body: 'a', to: 'b', point: [0.5, 0, 0], axis: [0, 1, 0]}], ...floor})});
+  const [plain, deterministic] = ['rapier', 'rapier-deterministic'].map((engine) =>
+    talk(engine, [{cmd: 'hello', protocol: 1}, touching, run({steps: 600, every: 1})]).messages);
+  assert.deepEqual(deterministic.filter((m) => m.frame), plain.filter((m) => m.frame));
+  assert.equal(plain.filter((m) => m.frame).at(-1).frame.states.at(-1).every(Number.isFinite), true);
+  assert.deepEqual([plain[0].engine, deterministic[0].engine], ['rapier', 'rapier-deterministic']);
+  const feature = (answer) => answer.settings.find((row) => row.name === 'features of the Rust crate')?.value;
+  assert.deepEqual([feature(plain[1]), feature(deterministic[1])], [undefined, 'with enhanced-determinism']);
+});
+
 test('crashcat leaves out turns of less than 1e-6 rad in a step, as it says', {skip: !engines.includes('crashcat')}, () => {
   const turned = (spin) => talk('crashcat', [load({scene: scene({body: [body({angular_velocity: [spin, 0, 0]})]})}), run({steps: 1000, every: 1000})])
     .messages.at(-2).frame.states[0][4];
@@ -225,9 +238,9 @@ test('a package that is missing is no failure', () => {
   const sources = path.join(root, 'reference/simulators/js');
   for (const file of fs.readdirSync(sources).filter((name) => name.endsWith('.mjs') || name === 'package.json'))
     fs.copyFileSync(path.join(sources, file), path.join(bare, file));
-  const {messages} = talk('jolt', [{cmd: 'hello', protocol: 1}], bare);
+  const told = ['jolt', 'rapier-deterministic'].map((engine) => talk(engine, [{cmd: 'hello', protocol: 1}], bare).messages[0]);
   fs.rmSync(bare, {recursive: true});
-  assert.match(messages[0].unsupported, /`\.\/run engines` installs it/);
+  for (const {unsupported} of told) assert.match(unsupported, /`\.\/run engines` installs it/);
 });
 
 test('mujoco3 leaves out contacts between what is fixed to the world', {skip: !engines.includes('mujoco3')}, () => {

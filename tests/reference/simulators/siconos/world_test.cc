@@ -86,8 +86,10 @@ TEST(SiconosWorld, OptionsHaveSiconossOwnValues) {
   EXPECT_EQ(ours.theta, own.theta);
   EXPECT_EQ(ours.newton_tolerance, own.newton_tolerance);
   EXPECT_EQ(ours.newton_iterations, own.newton_iterations);
-  EXPECT_EQ(ours.solver_tolerance, own.solver_tolerance);
-  EXPECT_EQ(ours.solver_iterations, own.solver_iterations);
+  EXPECT_EQ(ours.solver, own.solver);
+  EXPECT_FALSE(ours.solver_tolerance || ours.solver_iterations);
+  EXPECT_EQ(shipped.at("solver-tolerance"), own.solver_tolerance);
+  EXPECT_EQ(shipped.at("solver-iterations"), own.solver_iterations);
 }
 
 }  // namespace
