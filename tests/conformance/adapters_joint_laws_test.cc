@@ -1,5 +1,6 @@
 // Sliders, screws, universal joints and what acts along them, on every engine that takes them, against the certified
 // solution of the scene.
+#include "harness/core/held_joint.h"
 #include "harness/scenario/input.h"
 #include "harness/scenario/scenario.h"
 #include "reference/certified/truth.h"
@@ -130,6 +131,80 @@ TEST_P(JointLaws, MoveAsCertified) {
   }
   EXPECT_EQ(run, taken_by(subject()).machines) << "refused:" << refused;
   if (run == 0) GTEST_SKIP() << "takes none of these scenes:" << refused;
+}
+
+// ---- Joints of several turns are hinges with rings of no mass between them ---------------------------------
+
+core::Joint hinge(int body, int to, const Vector3& at, const Vector3& about, core::JointAngle angle) {
+  angle.which = core::Ordinal::first;
+  core::Joint joint{.type = JointType::hinge, .body = body, .to = to, .point = at, .axis = about};
+  joint.angles = {angle};
+  return joint;
+}
+core::Body ring_of(const core::Body& like, double part, const char* name, const Vector3& spin) {
+  core::Body ring = like;
+  ring.name = name, ring.mass = part, ring.inertia = part * core::Matrix3::Identity();
+  ring.initial = {.position = point, .angular_velocity = spin};
+  return ring;
+}
+
+const core::JointAngle first_law{
+    {.start = 0.2, .stiffness = 6, .damping = 0.3, .armature = 0.4, .target = -0.3}};
+const core::JointAngle second_law{{.which = core::Ordinal::second, .force = 0.7, .armature = 0.2}};
+const core::JointAngle third_law{{.which = core::Ordinal::third, .stiffness = 9, .armature = 0.3}};
+
+// The certified motion, and that of the in-house engine with rings of so much inertia, which comes to it as that goes to 0.
+void expect_limit(const core::Scene& exact, const std::function<core::Scene(double)>& with_rings) {
+  const core::BodyState end_of_truth = certified::solution(exact, end, 1e11).truth.state(end)[0];
+  ASSERT_GT((end_of_truth.position - exact.bodies[0].initial.position).norm(), 0.1) << "hardly a motion";
+  const auto off = [&](double part) {
+    const core::BodyState state =
+        last(process::parse_engine("in-house", process::default_engines(binary_dir)), with_rings(part),
+             end / 600, 600)[0];
+    return (state.position - end_of_truth.position).norm() +
+           (state.angular_velocity - end_of_truth.angular_velocity).norm();
+  };
+  const double coarse = off(1e-4), fine = off(1e-5);
+  EXPECT_LT(coarse, 5e-3);
+  EXPECT_NEAR(coarse / fine, 10, 0.1);
+}
+
+TEST(JointLawsAlone, GimbalIsThreeHingesWithoutRings) {
+  core::Scene scene = at_rest(1);
+  scene.forces = {core::UniformGravity{gravity}};
+  core::Joint gimbal = joint_of(JointType::gimbal);
+  gimbal.angles = {first_law, second_law, third_law};
+  scene.joints = {gimbal};
+  const Vector3 tilted = *gimbal.axis_2, between = axis.cross(tilted).normalized();
+  core::BodyState& start = scene.bodies[0].initial;
+  start.angular_velocity = 0.9 * axis - 0.6 * between + 0.5 * tilted;
+  start.velocity = start.angular_velocity.cross(start.position - point);
+  expect_limit(scene, [&](double part) {
+    core::Scene rings = scene;
+    rings.bodies.push_back(ring_of(scene.bodies[0], part, "outer", 0.9 * axis));
+    rings.bodies.push_back(ring_of(scene.bodies[0], part, "inner", 0.9 * axis - 0.6 * between));
+    rings.joints = {hinge(1, core::world, point, axis, first_law), hinge(2, 1, point, between, third_law),
+                    hinge(0, 2, point, tilted, second_law)};
+    return rings;
+  });
+}
+
+TEST(JointLawsAlone, OffsetUniversalIsTwoHingesWithoutARing) {
+  core::Scene scene = at_rest(1);
+  scene.forces = {core::UniformGravity{gravity}};
+  core::Joint joint = joint_of(JointType::offset_universal);
+  joint.angles = {first_law, second_law};
+  scene.joints = {joint};
+  const Vector3 far = core::held_point_of_body(joint), ring_spin = 0.9 * axis;
+  core::BodyState& start = scene.bodies[0].initial;
+  start.angular_velocity = ring_spin + 0.5 * axis_2;
+  start.velocity = ring_spin.cross(far - point) + start.angular_velocity.cross(start.position - far);
+  expect_limit(scene, [&](double part) {
+    core::Scene rings = scene;
+    rings.bodies.push_back(ring_of(scene.bodies[0], part, "ring", ring_spin));
+    rings.joints = {hinge(1, core::world, point, axis, first_law), hinge(0, 1, far, axis_2, second_law)};
+    return rings;
+  });
 }
 
 // A machine is not what it is without a part of it: the test above sees each.

@@ -241,6 +241,7 @@ TEST(CertifiedJoints, OffsetUniversalIsTwoHingesWithoutARing) {
 }
 
 // Two hinges and a universal joint between them hold more than is free.
+// Two hinges and a universal joint between them hold more than is free.
 // A gimbal is three hinges with rings of no mass between them: with rings of 1e-4 and 1e-5 of the body's inertia, which bear
 // the same springs, dampers, motors and rotors, the motion comes to the gimbal's as the inertia goes to nothing.
 TEST(CertifiedJoints, GimbalIsThreeHingesWithoutRings) {
