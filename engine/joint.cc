@@ -118,7 +118,8 @@ void add_at_length(const Joint& joint, const JointEnd& a, const JointEnd& b, std
 void add_along_normal(const Joint& joint, const JointEnd& a, const JointEnd& b, std::vector<Row>& rows) {
   add_together(joint, a, b, rows);
   const Vector3 h = b.orientation * joint.to_axis, u = a.orientation * joint.axis, normal = h.cross(u);
-  const Vector3 &w_a = a.angular_velocity, &w_b = b.angular_velocity, h_rate = w_b.cross(h), u_rate = w_a.cross(u);
+  const Vector3 &w_a = a.angular_velocity, &w_b = b.angular_velocity, h_rate = w_b.cross(h),
+                u_rate = w_a.cross(u);
   const Vector3 change = w_b.cross(h_rate).cross(u) + 2 * h_rate.cross(u_rate) + h.cross(w_a.cross(u_rate));
   for (int k = 0; k < 3; ++k) {
     Row& row = rows[rows.size() - 3 + static_cast<std::size_t>(k)];
@@ -131,7 +132,8 @@ void add_along_normal(const Joint& joint, const JointEnd& a, const JointEnd& b, 
 }  // namespace
 
 int row_count(Joint::Type type) {
-  constexpr int of_place[] = {3, 1, 2, 1, 3}, of_turn[] = {0, 2, 1, 3, 0};  // in the order of the enumerations
+  constexpr int of_place[] = {3, 1, 2, 1, 3},
+                of_turn[] = {0, 2, 1, 3, 0};  // in the order of the enumerations
   return of_place[static_cast<std::size_t>(type.place)] + of_turn[static_cast<std::size_t>(type.turn)] +
          (type.couples ? 1 : 0);
 }

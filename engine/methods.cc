@@ -16,9 +16,9 @@ constexpr Features all_forces = {Feature::spring,     Feature::damped_spring, Fe
                                  Feature::attraction, Feature::water,         Feature::joint_law,
                                  Feature::frame_force};
 constexpr Features user_forces = {Feature::user_force, Feature::user_force_of_velocities};
-constexpr Features all_joints = {Feature::joint_together,   Feature::joint_at_length,
-                                 Feature::joint_along_axis, Feature::joint_in_plane,
-                                 Feature::joint_about_axis, Feature::joint_about_two_axes,
+constexpr Features all_joints = {Feature::joint_together,     Feature::joint_at_length,
+                                 Feature::joint_along_axis,   Feature::joint_in_plane,
+                                 Feature::joint_about_axis,   Feature::joint_about_two_axes,
                                  Feature::joint_along_normal, Feature::joint_never};
 constexpr Features all_contacts = {
     Feature::contact,     Feature::lasting_contact,  Feature::friction, Feature::sphere,
@@ -53,9 +53,10 @@ constexpr std::array methods = {
     MethodRow{Method::trees,
               all_forces | user_forces |
                   Features{Feature::locked_body, Feature::spin, Feature::own_gravity, Feature::joint_together,
-                           Feature::joint_along_axis, Feature::joint_in_plane, Feature::joint_along_normal, Feature::joint_about_axis,
-                           Feature::joint_about_two_axes, Feature::joint_never, Feature::joint_rotor,
-                           Feature::quadratic_damping, Feature::chosen_integrator, Feature::late_start}},
+                           Feature::joint_along_axis, Feature::joint_in_plane, Feature::joint_along_normal,
+                           Feature::joint_about_axis, Feature::joint_about_two_axes, Feature::joint_never,
+                           Feature::joint_rotor, Feature::quadratic_damping, Feature::chosen_integrator,
+                           Feature::late_start}},
     MethodRow{Method::ballistic,
               {Feature::locked_body, Feature::spin, Feature::contact, Feature::friction, Feature::sphere,
                Feature::collision_filters, Feature::own_gravity, Feature::late_start}},

@@ -17,10 +17,10 @@ namespace cylon::engine {
 /// `to` is the world.  What acts on the coordinates that a joint leaves free is a force (CoordinateLaw).
 struct Joint {
   enum class Place {
-    together,    ///< The anchors coincide.
-    at_length,   ///< The anchors keep the distance `length`.
-    along_axis,  ///< The anchor on `body` stays on the line of `to_axis` through the anchor on `to`.
-    in_plane,    ///< It stays in the plane square to `to_axis` there.
+    together,     ///< The anchors coincide.
+    at_length,    ///< The anchors keep the distance `length`.
+    along_axis,   ///< The anchor on `body` stays on the line of `to_axis` through the anchor on `to`.
+    in_plane,     ///< It stays in the plane square to `to_axis` there.
     along_normal  ///< It stays `length` along  to_axis x axis  from there.
   };
   enum class Turn {

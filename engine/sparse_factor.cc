@@ -125,8 +125,10 @@ std::vector<std::size_t> SparseFactor::weak_last(Real dependent) const {
   return order;
 }
 
+constexpr Real above_rounding = 256;  // dependent = 4096 epsilon (constraint.cc), and sums round by some 16
+
 // L_ij = (A_ij - sum_k<j L_ik D_k L_jk)/D_j,  D_i = A_ii - sum_j<i L_ij D_j L_ij;  `scaled_` has L_ik D_k.
-// D_j has the rounding of A_jj, and so L_ij D_j L_ij one that is larger by A_jj/D_j.
+// D_j has the rounding of A_jj, and so L_ij D_j L_ij one that is larger by A_jj/D_j; `dependent` is far above rounding.
 void SparseFactor::eliminate(Real dependent) {
   weakest_ = 1, any_dependent_ = false;
   for (std::size_t i = 0; i < order_.size(); ++i) {
@@ -143,7 +145,7 @@ void SparseFactor::eliminate(Real dependent) {
       if (pivot > 0) rounded += l * scaled_[j] / share_[j];
     }
     for (std::size_t e = start_[i]; e < last; ++e) scaled_[column_[e]] = 0;
-    const Real least = std::max(dependent * std::max(whole, rounded),
+    const Real least = std::max(dependent * std::max(whole, rounded / above_rounding),
                                 depended_[order_[i]] ? std::sqrt(dependent) * whole : Real(0));
     value_[last] = d > least ? d : 0;
     share_[i] = whole > 0 ? d / whole : 0;

@@ -126,7 +126,8 @@ void Trees::hang(int body, const Joint* joint, int parent) {
     node.first = is_body ? joint->to_axis : joint->axis;
     node.second_axis = is_body ? joint->axis : joint->to_axis;
     node.second = node.relative * node.second_axis;
-    if (joint->type.place == Joint::Place::along_normal)  // from the point on `to`, and from that on `body` back
+    if (joint->type.place ==
+        Joint::Place::along_normal)  // from the point on `to`, and from that on `body` back
       node.offset = joint->length * node.first.cross(node.second);
     using Turn = Joint::Turn;
     const Turn turn = joint->type.turn;

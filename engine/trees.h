@@ -59,11 +59,12 @@ class Trees {
     bool child_slides = false;           // whether the body carries the directions, not the parent
     std::vector<Vector3> directions;     // of displacements, axes of who carries them
     Turns turns = Turns::never;
-    Vector3 first, second;    // axes of turns in those of the parent, at angles 0
-    Vector3 third;            // the same, of a turn between the two
-    Vector3 second_axis;      // the same as second, in those of the body
-    Quaternion relative;      // body to parent, at angles 0
-    Vector3 offset = Vector3::Zero();  // what the first turn carries: from its point to the body's, at angles 0
+    Vector3 first, second;  // axes of turns in those of the parent, at angles 0
+    Vector3 third;          // the same, of a turn between the two
+    Vector3 second_axis;    // the same as second, in those of the body
+    Quaternion relative;    // body to parent, at angles 0
+    Vector3 offset =
+        Vector3::Zero();      // what the first turn carries: from its point to the body's, at angles 0
     std::size_t at = 0;       // in y
     std::size_t members = 0;  // of the tree that begins here and hangs from nothing; else 0
     Real mass = 0;            // of that tree

@@ -341,8 +341,7 @@ Block split_at_offset(const Joint& joint, Block& block, const std::vector<Motion
   const Motion& body = motions[index(joint.body)];
   Block along = block;
   along.space = h * h.transpose();
-  if (joint.to != fixed_world)
-    along.to_arm = body.position + block.arm - motions[index(joint.to)].position;
+  if (joint.to != fixed_world) along.to_arm = body.position + block.arm - motions[index(joint.to)].position;
   block.space = Matrix3::Identity() - along.space;
   block.arm = point(joint.to_anchor, joint.to, motions) - body.position;
   return along;

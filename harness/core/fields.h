@@ -397,8 +397,9 @@ struct Element<Joint> {
             {.unit = "m",
              .in = Expressed::world_point,
              .required = true,
-             .meaning = "World coordinates at t = 0. Not of a distance joint of two bodies, which connects "
-                        "their centres. Of an offset universal joint, the point of `axis` nearest to `axis_2`."},
+             .meaning =
+                 "World coordinates at t = 0. Not of a distance joint of two bodies, which connects "
+                 "their centres. Of an offset universal joint, the point of `axis` nearest to `axis_2`."},
             [](const Joint& j) { return !kind_of(j.type).joins_centres() || j.to == world; }},
       Field{
           "axis",
@@ -412,18 +413,21 @@ struct Element<Joint> {
             &Joint::axis_2,
             {.in = Expressed::world_vector,
              .required = true,
-             .meaning = "The second axis of a universal joint, offset or not, or of a gimbal, fixed in `body`, or the first "
-                        "displacement of a planar or rectangular joint, fixed in `to`. Square to `axis`; of a gimbal, only "
+             .meaning = "The second axis of a universal joint, offset or not, or of a gimbal, fixed in "
+                        "`body`, or the first "
+                        "displacement of a planar or rectangular joint, fixed in `to`. Square to `axis`; of "
+                        "a gimbal, only "
                         "not parallel to it."},
             [](const Joint& j) { return kind_of(j.type).has_second_axis(); }},
-      Field{"length",
-            &Joint::length,
-            {.unit = "m",
-             .range = positive,
-             .meaning = "Of a distance joint, between its two ends; of an offset universal joint, from `axis` "
-                        "to `axis_2` along the line square to both, towards `axis` x `axis_2`.",
-             .absent = "the distance at t = 0"},
-            [](const Joint& j) { return kind_of(j.type).has_length(); }},
+      Field{
+          "length",
+          &Joint::length,
+          {.unit = "m",
+           .range = positive,
+           .meaning = "Of a distance joint, between its two ends; of an offset universal joint, from `axis` "
+                      "to `axis_2` along the line square to both, towards `axis` x `axis_2`.",
+           .absent = "the distance at t = 0"},
+          [](const Joint& j) { return kind_of(j.type).has_length(); }},
       Field{"pitch",
             &Joint::pitch,
             {.unit = "m/rad",

@@ -9,14 +9,27 @@
 
 namespace cylon::core {
 
-enum class JointType { ball, hinge, distance, fixed, slider, cylindrical, planar, universal, screw, gimbal, rectangular, offset_universal };
+enum class JointType {
+  ball,
+  hinge,
+  distance,
+  fixed,
+  slider,
+  cylindrical,
+  planar,
+  universal,
+  screw,
+  gimbal,
+  rectangular,
+  offset_universal
+};
 
 /// What a joint keeps of the two points that it joins; d is from the point on `to` to that on `body`.
 enum class JointPlace {
   together,   ///< They coincide.
   at_length,  ///< Their distance is `length`.  The points are centres of mass, or one is a point of the world.
-  along_axis,  ///< d is parallel to `axis`.
-  in_plane,    ///< d is square to `axis`.
+  along_axis,   ///< d is parallel to `axis`.
+  in_plane,     ///< d is square to `axis`.
   along_normal  ///< d is `length` times axis x axis_2.
 };
 

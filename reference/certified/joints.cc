@@ -64,8 +64,8 @@ struct Rows {
     const auto spin_of = [&](const End& e) { return moves(e) ? e.at->rotation * e.at->spin : b.zero(); };
     const Vector h = now_of(to, h_start), u = now_of(a, u_start), w_a = spin_of(a), w_b = spin_of(to);
     const Vector h_rate = cross(w_b, h), u_rate = cross(w_a, u);
-    const Vector change = cross(cross(w_b, h_rate), u) + b.exact(2) * cross(h_rate, u_rate) +
-                          cross(h, cross(w_a, u_rate));
+    const Vector change =
+        cross(cross(w_b, h_rate), u) + b.exact(2) * cross(h_rate, u_rate) + cross(h, cross(w_a, u_rate));
     const Expr length = b.number(joint.length);
     for (std::size_t i = 0; i < 3; ++i) {
       Vector unit = b.zero();
@@ -78,9 +78,9 @@ struct Rows {
         // Of  -l (h x u)"  what the accelerations of the two turns make:  (h x (w x u)).e = w.(u x (e x h)),
         // ((w x h) x u).e = w.(h x (u x e))
         const Vector of_turn = e.sign > 0 ? cross(u, cross(unit, h)) : cross(h, cross(u, unit));
-        row.parts.push_back({e.body, b.exact(e.sign) * unit,
-                             b.exact(e.sign) * cross(arm, along) -
-                                 length * (transposed(e.at->rotation) * of_turn)});
+        row.parts.push_back(
+            {e.body, b.exact(e.sign) * unit,
+             b.exact(e.sign) * cross(arm, along) - length * (transposed(e.at->rotation) * of_turn)});
         row.rest = signed_sum(row.rest, e.sign, dot(along, cross(e.at->spin, cross(e.at->spin, arm))));
       }
       rows.push_back(row);

@@ -232,8 +232,9 @@ core::Engine bullet_engine(std::string version, std::string precision) {
        "applied forces or a free base that turns"},
   };
   engine.knows = {"collision_filters",  "frame_acceleration", "body_gravity",     "slider_joints",
-                  "cylindrical_joints", "planar_joints",      "universal_joints", "gimbal_joints", "rectangular_joints",
-                  "joint_forces",       "joint_targets",      "joint_limits",     "joint_friction"};
+                  "cylindrical_joints", "planar_joints",      "universal_joints", "gimbal_joints",
+                  "rectangular_joints", "joint_forces",       "joint_targets",    "joint_limits",
+                  "joint_friction"};
   for (const Word& word : words)
     engine.options.push_back({word.option, word.of_rigid, word.of_rigid.front(), word.meaning});
   for (const Knob& k : knobs())

@@ -57,10 +57,12 @@ core::Engine describe() {
   for (const engine::Integrator& row : engine::integrators())
     engine.integrators.push_back(
         {std::string(row.name), row.order, std::string(row.conserves), row.kind == engine::Kind::adaptive});
-  engine.knows = {"collision_filters",  "frame_acceleration", "body_gravity",     "slider_joints",
-                  "cylindrical_joints", "planar_joints",      "universal_joints", "gimbal_joints", "rectangular_joints", "offset_universal_joints",
-                  "screw_joints",       "joint_forces",       "joint_targets",    "joint_limits",
-                  "joint_friction",     "joint_armature",     "plugin_forces"};
+  engine.knows = {"collision_filters",       "frame_acceleration", "body_gravity",
+                  "slider_joints",           "cylindrical_joints", "planar_joints",
+                  "universal_joints",        "gimbal_joints",      "rectangular_joints",
+                  "offset_universal_joints", "screw_joints",       "joint_forces",
+                  "joint_targets",           "joint_limits",       "joint_friction",
+                  "joint_armature",          "plugin_forces"};
   engine.options.push_back({"model",
                             {"planned", "full"},
                             "planned",

@@ -27,7 +27,9 @@ std::vector<MujocoAxis> mujoco_axes(const core::Scene& scene, const Joint& joint
   const Vector3 second = joint.axis_2.value_or(joint.axis);
   std::vector<MujocoAxis> axes;
   const auto add = [&](bool slides, Ordinal which, const Vector3& axis) {
-    MujocoAxis one{slides, which, axis,
+    MujocoAxis one{slides,
+                   which,
+                   axis,
                    slides ? acting(joint.displacements, which) : acting(joint.angles, which),
                    slides ? core::joint_displacement_rate(held, which, start)
                           : core::joint_angle_rate(held, which, start),

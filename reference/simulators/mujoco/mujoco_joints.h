@@ -15,7 +15,8 @@ struct MujocoAxis {
   core::Vector3 axis = core::Vector3::UnitX();  ///< World axes at t = 0.
   core::JointCoordinate acts;  ///< Of the scene's, counted as MuJoCo counts: of the child against its parent.
   double rate = 0;             ///< At t = 0, counted so.
-  core::Vector3 point = core::Vector3::Zero();  ///< Through which the axis goes, world coordinates at t = 0 [m].
+  core::Vector3 point =
+      core::Vector3::Zero();  ///< Through which the axis goes, world coordinates at t = 0 [m].
 };
 
 /// Of a joint that is no ball and not fixed, whose child is `body` of the joint or, `reversed`, its `to`.

@@ -160,7 +160,9 @@ class Writer {
   // A fixed joint is none: the body is part of its parent.
   void write_joint(const core::Body& one, const core::Joint& joint, bool reversed) {
     const Quaternion back = one.initial.orientation.conjugate();
-    const auto local = [&](const Vector3& point) { return text(Vector3(back * (point - one.initial.position))); };
+    const auto local = [&](const Vector3& point) {
+      return text(Vector3(back * (point - one.initial.position)));
+    };
     if (core::is_ball(joint)) put("<joint type=\"ball\" pos=\"{}\"/>\n", local(joint.point));
     if (core::is_ball(joint) || joint.type == core::JointType::fixed) return;
     for (const MujocoAxis& coordinate : mujoco_axes(scene_, joint, reversed))

@@ -100,10 +100,10 @@ core::Engine mujoco_engine(std::string version) {
        {"rk4", 4,
         "nothing in particular; order 2 where a body turns freely, 1 with contacts or a mass that changes"}},
       {}};
-  engine.knows = {"collision_filters",  "frame_acceleration", "body_gravity",     "slider_joints",
-                  "cylindrical_joints", "planar_joints",      "universal_joints", "gimbal_joints", "rectangular_joints", "offset_universal_joints",
-                  "joint_forces",       "joint_targets",      "joint_limits",     "joint_friction",
-                  "joint_armature"};
+  engine.knows = {"collision_filters",  "frame_acceleration",      "body_gravity",     "slider_joints",
+                  "cylindrical_joints", "planar_joints",           "universal_joints", "gimbal_joints",
+                  "rectangular_joints", "offset_universal_joints", "joint_forces",     "joint_targets",
+                  "joint_limits",       "joint_friction",          "joint_armature"};
   engine.options = mujoco_options().offered();
   return engine;
 }
