@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace cylon::engine::pile {
 namespace {
@@ -25,10 +26,17 @@ bool is_stiff(CoordinateLaw law, const std::vector<Body>& bodies, Time dt) {
 
 }  // namespace
 
-// What in joints is solved with the joints: forces that are not stable by themselves in a step, or might not be, and rotors.
+// What in joints is solved with the joints: forces that are not stable by themselves in a step, or might not be, and rotors,
+// which stand by themselves where the rest of their law is none of these.
 Model BodyPile::with_stiff_laws_held(Model model, Time dt) {
-  for (CoordinateLaw& law : model.forces.coordinate_laws)
-    law.held = law.quadratic_damping != 0 || law.armature != 0 || is_stiff(law, model.bodies, dt);
+  std::vector<CoordinateLaw>& laws = model.forces.coordinate_laws;
+  for (std::size_t i = 0, n = laws.size(); i < n; ++i) {
+    laws[i].held = laws[i].quadratic_damping != 0 || is_stiff(laws[i], model.bodies, dt);
+    if (laws[i].held || laws[i].armature == 0) continue;
+    CoordinateLaw rotor;
+    rotor.at = laws[i].at, rotor.armature = std::exchange(laws[i].armature, Real(0)), rotor.held = true;
+    laws.push_back(std::move(rotor));
+  }
   return model;
 }
 
@@ -63,7 +71,8 @@ BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings, st
   });
   rotors_ = std::ranges::any_of(model_.forces.coordinate_laws,
                                 [](const CoordinateLaw& law) { return law.armature != 0; });
-  implicit_ = stiff > 0 || rotors_;
+  laws_ = model.forces.coordinate_laws.size();
+  implicit_ = stiff > 0;
   if (stiff > 0) log_.note(DiagnosticKind::joint_forces_implicit, start, static_cast<double>(stiff));
   changing_ = masses_.any() || std::ranges::any_of(model_.forces.frame_forces, [](const FrameForce& frame) {
                 return !frame.angular_acceleration.isZero(0);

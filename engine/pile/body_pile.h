@@ -22,7 +22,10 @@ class BodyPile : public Stepper {
 
   void step() override;
   void read(std::vector<Motion>& motions) const override { motions = motions_; }
-  void read_turns(std::vector<Real>& turns) const override { model_.forces.read_turns(turns); }
+  void read_turns(std::vector<Real>& turns) const override {
+    model_.forces.read_turns(turns);
+    turns.resize(laws_);
+  }
   const std::vector<Impact>& impacts() const override { return impacts_; }
   std::vector<Diagnostic> diagnostics() const override;
 
@@ -146,6 +149,7 @@ class BodyPile : public Stepper {
   Real gravity_ = 0;  // the strongest [m/s^2]
   bool other_forces_ = false, isolated_ = false;
   bool steady_ = true;     // a step is at most half of one in which forces do not overshoot
+  std::size_t laws_ = 0;   // of the model that was given; rotors that stand by themselves come after them
   bool implicit_ = false;  // forces in joints are those of the end of a step
   bool rotors_ = false;
   bool paired_ = false;  // a force acts between two bodies that move

@@ -56,6 +56,46 @@ TEST(JointsInSteps, AreClosedToRounding) {
   }
 }
 
+// An arm on a hinge of the world carries a ball on a universal joint, which strikes a rough floor.  A rotor on the hinge is
+// inertia of the arm about its axis.  It took the steps to first order, by which an impact with friction is two: the ball went
+// elsewhere with each step.
+TEST(JointsInSteps, RotorStrikesAsInertiaDoes) {
+  const auto struck = [](bool rotor, Time dt) {
+    Model model;
+    const Real more = Real(0.1);
+    const Matrix3 own = Vector3(Real(0.02), Real(0.03), Real(0.025)).asDiagonal();
+    add_body(model, make_body(1, rotor ? own : Matrix3(own + more * Matrix3::Identity())), {0.25, 0.9, 0},
+             {0, 0, 0}, {0, 0, 0}, {0, 0, 0});
+    add_body(model, make_body(0.5, Real(0.003) * Matrix3::Identity()), {0.6, 0.8, 0.1}, {0, 0, 0}, {0, 0, 0},
+             {0, 0, 0}, Sphere{Real(0.12)});
+    Joint hinge{.type = joint_types::hinge, .body = 0, .anchor = {-0.25, 0, 0}, .to_anchor = {0, 0.9, 0}};
+    hinge.axis = hinge.to_axis = Vector3::UnitZ();
+    Joint wrist{.type = joint_types::universal,
+                .body = 1,
+                .anchor = {-0.15, 0.05, -0.1},
+                .to = 0,
+                .to_anchor = {0.2, -0.05, 0}};
+    wrist.to_axis = Vector3::UnitZ(), wrist.axis = Vector3::UnitX();
+    model.joints = {hinge, wrist};
+    if (rotor) {
+      CoordinateLaw law;
+      law.at.kind = Coordinate::Kind::angle, law.at.to_anchor = hinge.to_anchor, law.at.anchor = hinge.anchor;
+      law.at.axis = Vector3::UnitZ(), law.at.zero = law.at.mark = Vector3::UnitX(), law.armature = more;
+      model.forces.coordinate_laws = {law};
+    }
+    model.forces.gravity = {0.2, -9.81, 0.1};
+    model.planes = {{Vector3::UnitY(), Real(0.45)}};
+    make_touchable(model, 0, Real(0.3));
+    model.surfaces[0] = no_surface;
+    return after_steps(model, dt, static_cast<int>(std::lround(0.75 / static_cast<double>(dt)))).motions;
+  };
+  for (const Time dt : {1. / 512, 1. / 1024, 1. / 2048}) {
+    const auto turned = struck(true, dt), heavy = struck(false, dt);
+    EXPECT_NEAR(heavy[1].position.y(), 0.57, 1e-3) << "it lies on the floor";
+    EXPECT_LT((turned[1].position - heavy[1].position).norm(), 1e-4) << dt;
+  }
+}
+
 // A light link on a universal joint, which a heavy body on its hinge turns by 0.1 rad in a step.  The rows of both joints ask
 // for large turns of the link that cancel; made one after another they left more than they took, and the body flew off.
 TEST(JointsInSteps, AreClosedOnALightLink) {
