@@ -3,7 +3,8 @@
 
     docs/speed_against_accuracy.py [--cylon build/release/cylon]
 
-Errors and orders are the same on every run; times are of the machine, and of its load.
+Takes about an hour and needs the optional engines (./run engines).  It works in build/speed-against-accuracy, where a call
+goes on that was interrupted.  Errors and orders are the same on every run; times are of the machine, and of its load.
 """
 import argparse
 import os
@@ -12,6 +13,7 @@ import re
 import subprocess
 import sys
 
+import engine_table
 import measured
 
 root = pathlib.Path(__file__).resolve().parent.parent
@@ -20,27 +22,46 @@ begin, end = "<!-- begin: tables -->", "<!-- end: tables -->"
 
 scenarios = ["projectile", "bouncing_sphere", "bouncing_sphere_elastic", "spring_zero_length", "spring_orbit",
              "free_symmetric_top", "dzhanibekov", "heavy_top"]
-engines = ["in-house", "in-house-float/integrator=velocity-verlet", "bullet", "bullet/gyro=none", "bullet-float",
-           "bullet-multibody", "ode"]
+optional = [engine for title, engines, _ in engine_table.families for engine in engines
+            if title not in ("in-house", "Bullet", "ODE")]
+# Name, engines, options, and what stands above a table and in the name of its plot.  Optional engines have fewer steps: they
+# cost up to a hundred times as much a step.
+groups = {
+    "core": (["in-house", "in-house-float/integrator=velocity-verlet", "bullet", "bullet/gyro=none", "bullet-float",
+              "bullet-multibody", "ode"], ["--rounds", "2"], "error against cost", ""),
+    "optional": (optional, ["--rounds", "1", "--work", "65536", "--timeout", "120",
+                            *(word for tolerance in ("1e-2", "1e-4", "1e-6", "1e-8") for word in ("--tolerance", tolerance))],
+                 "error against cost of optional engines", "-optional"),
+}
+
+
+def measure(cylon, group):
+    """The command, and its table of each scenario."""
+    engines, options, _, suffix = groups[group]
+    words = ["trade", ":".join(scenarios), *(word for engine in engines for word in ("--engine", engine)), *options]
+    plots = root / "docs" / "plots" / f"trade{suffix}.svg"
+    folder = root / "build" / "speed-against-accuracy" / group
+    folder.mkdir(parents=True, exist_ok=True)
+    done = subprocess.run([cylon, *words, "--svg", plots, "--resume"], cwd=folder, stdout=subprocess.PIPE, text=True,
+                          env={**os.environ, "COLUMNS": "100"})
+    if done.returncode != 0:
+        sys.exit(f"cylon trade ended with {done.returncode}")
+    parts = re.split(rf"^(?=(?:{'|'.join(scenarios)}): )", done.stdout, flags=re.M)
+    return "cylon " + " ".join(words), {part.split(":", 1)[0]: part.rstrip() for part in parts if part.strip()}
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--cylon", default="build/release/cylon")
-    cylon = parser.parse_args().cylon
-    words = [":".join(scenarios)]
-    for engine in engines:
-        words += ["--engine", engine]
-    words += ["--rounds", "2", "--svg", "docs/plots/trade.svg"]
-    done = subprocess.run([cylon, "trade", *words], cwd=root, capture_output=True, text=True,
-                          env={**os.environ, "COLUMNS": "100"})
-    if done.returncode != 0:
-        sys.exit(f"cylon trade ended with {done.returncode}:\n{done.stderr}")
-    parts = re.split(rf"^(?=(?:{'|'.join(scenarios)}): )", done.stdout, flags=re.M)
-    tables = {part.split(":", 1)[0]: part.rstrip() for part in parts if part.strip()}
-    text = [f"Measured on {measured.processor()} by\n\n```sh\ncylon trade " + " ".join(words) + "\n```"]
+    parser.add_argument("--cylon", type=pathlib.Path, default="build/release/cylon")
+    cylon = parser.parse_args().cylon.resolve()
+    made = {group: measure(cylon, group) for group in groups}
+    commands = "\n".join(command for command, _ in made.values())
+    text = [f"Measured on {measured.processor()}, which was busy with other work as well, by\n\n```sh\n{commands}\n```"]
     for name in scenarios:
-        text.append(f"### {name}\n\n![{name}: error against cost](plots/trade-{name}.svg)\n\n```\n{tables[name]}\n```")
+        text.append(f"### {name}")
+        for group, (_, tables) in made.items():
+            *_, title, suffix = groups[group]
+            text.append(f"![{name}: {title}](plots/trade{suffix}-{name}.svg)\n\n```\n{tables.get(name, 'No engine runs it.')}\n```")
     measured.put(page, begin, end, "\n\n".join(text))
 
 

@@ -11,19 +11,16 @@ using K = DiagnosticKind;
 const std::array<DiagnosticRow, static_cast<std::size_t>(DiagnosticKind::count)> diagnostic_rows = {{
     {K::forced, "forced", "", "", "runs by force; else refused: {cause}"},
     {K::deep_overlap, "deep-overlap", "m", "m",
-     "{cause} overlap by {reached} m at the start, more than {limit} m, a tenth of the width of the thinner "
-     "one: "
-     "which way they would come apart is not defined"},
+     "{cause} overlap by {reached} m at the start, more than {limit} m, a tenth of the thinner one's width: "
+     "the direction in which they would separate is not defined"},
     {K::jointed_overlap, "jointed-overlap", "m", "m",
-     "{cause} overlap by {reached} m at the start, more than {limit} m, a tenth of the width of the thinner "
-     "one, and joints hold them to each other: they do not touch"},
+     "{cause} overlap by {reached} m at the start, more than {limit} m, a tenth of the thinner one's width, "
+     "and are connected by joints: they do not collide with each other"},
     {K::not_divided, "not-divided", "bodies", "bodies",
-     "more than {limit} bodies ({reached}) may touch others: where they may be is not looked at, and they "
-     "are "
-     "one part"},
-    {K::merged, "merged", "", "", "from t = {since} s on these may meet and are one part"},
-    {K::parted, "parted", "", "", "from t = {since} s on a part of its own"},
-    {K::not_followed, "not-followed", "", "", "from t = {since} s on in fixed steps, since {cause}"},
+     "more than {limit} bodies ({reached}) may touch others: the scene is not divided into islands"},
+    {K::merged, "merged", "", "", "from t = {since} s on these may meet and are one island"},
+    {K::parted, "parted", "", "", "from t = {since} s on an island of its own"},
+    {K::not_followed, "not-followed", "", "", "from t = {since} s on in fixed steps, because {cause}"},
     {K::handed_over, "handed-over", "", "", "closed form until t = {since} s, then {cause}"},
     {K::path_not_taken, "path-not-taken", "", "",
      "path {cause} was asked for, but nothing can touch: it is not taken"},
@@ -38,117 +35,101 @@ const std::array<DiagnosticRow, static_cast<std::size_t>(DiagnosticKind::count)>
      "auto: the sample at t = {since} s lies within a step of an impact: solutions at the two finest local "
      "tolerances differ by {reached} of the scales of the motion there, beside the tolerance {limit}"},
     {K::tolerance_unknown, "tolerance-unknown", "1", "",
-     "auto: from t = {since} s on it is not known whether the tolerance {limit} is reached, nor how far the "
-     "motion is from it: the solutions left the laws of contact for a time, and two that do so alike may "
-     "agree and be wrong"},
+     "auto: from t = {since} s on the error is not known, and the tolerance {limit} may be missed: both "
+     "solutions used a fallback that does not obey the contact laws exactly, so that their agreement proves "
+     "nothing"},
     {K::integration_ended, "integration-ended", "", "", "integration stopped at t = {since} s: {cause}"},
     {K::switches_not_located, "switches-not-located", "switches", "",
-     "from t = {since} s on a force switches on and off too often (more than {limit} times in a step): its "
-     "switching times are not located"},
+     "from t = {since} s on a force switches on and off more than {limit} times in a step: its switching "
+     "times are not located"},
     {K::series_not_ended, "series-not-ended", "parts", "",
-     "from t = {since} s on {count} parts of steps were too long for forces that depend on velocities, even "
-     "in "
-     "{limit} parts: the motion is not a number"},
+     "from t = {since} s on {count} substeps were too long for velocity-dependent forces, even after "
+     "division into {limit} parts: the motion is not a number"},
     {K::drift_open, "drift-open", "rounds", "m, rad",
-     "{count} parts of steps, from t = {since} s on, ended with joints that the iteration did not close in "
-     "{limit} "
-     "rounds (SHAKE), by up to {reached} m or rad: the step is too long"},
+     "in {count} substeps, from t = {since} s on, the joint iteration (SHAKE) did not close the joints in "
+     "{limit} iterations; the largest gap is {reached} m or rad: the step is too long"},
     {K::joints_open, "joints-open", "rounds", "m, rad",
-     "at {count} instants from t = {since} s on joints were not closed in {limit} rounds: they stayed open "
-     "by up "
-     "to {reached} m or rad"},
+     "at {count} instants, from t = {since} s on, the joints were not closed in {limit} iterations; the "
+     "largest gap is {reached} m or rad"},
     {K::contacts_open, "contacts-open", "rounds", "m, rad",
-     "at {count} instants from t = {since} s on persistent contacts and joints were not closed in {limit} "
-     "rounds: "
-     "they stayed open by up to {reached} m or rad"},
+     "at {count} instants, from t = {since} s on, persistent contacts and joints were not closed in {limit} "
+     "iterations; the largest gap is {reached} m or rad"},
     {K::forces_inexact, "forces-inexact", "", "m/s²",
      "{count} contact problems, from t = {since} s on, were solved iteratively, not to rounding: "
-     "accelerations at "
-     "contacts are off by up to {reached} m/s²"},
+     "accelerations at contacts are off by up to {reached} m/s²"},
     {K::impacts_inexact, "impacts-inexact", "", "m/s",
      "{count} impacts, from t = {since} s on, were solved iteratively, not to rounding: velocities at "
-     "contacts "
-     "are off by up to {reached} m/s"},
+     "contacts are off by up to {reached} m/s"},
     {K::interval_missed, "interval-missed", "", "",
      "{count} integration intervals, from t = {since} s on, did not reach the tolerance"},
     {K::meeting_not_searched, "meeting-not-searched", "", "m",
-     "{count} searches for surfaces that meet ended before they had seen all, from t = {since} s on: "
-     "surfaces may "
-     "have been up to {reached} m inside each other unseen"},
+     "{count} searches for collisions, from t = {since} s on, reached their limit of work: surfaces may have "
+     "overlapped by up to {reached} m unnoticed"},
     {K::changes_not_searched, "changes-not-searched", "", "",
-     "{count} times, from t = {since} s on, contacts changed at one instant more often than they can: the "
-     "piece "
-     "after it was not searched for changes of contacts"},
+     "{count} times, from t = {since} s on, contacts changed too often at one instant: the interval after it "
+     "was not searched for contact changes"},
     {K::impacts_unending, "impacts-unending", "rounds", "",
-     "{count} impacts of several pairs, from t = {since} s on, did not come to an end one after another in "
-     "{limit} "
-     "rounds: they ended at once, without restitution"},
+     "{count} impacts of several pairs, from t = {since} s on, did not end one after another in {limit} "
+     "iterations: they were solved at once, without restitution"},
     {K::frictionless, "frictionless", "", "",
      "at {count} instants, from t = {since} s on, Coulomb friction had no solution, or stick and slip "
-     "alternated "
-     "too often: these contacts had no friction for the rest of the step"},
+     "alternated too often: these contacts had no friction for the rest of the step"},
     {K::wedged, "wedged", "", "",
      "at {count} instants, from t = {since} s on, friction grew without bound: an impulse stopped the slip"},
     {K::crawled, "crawled", "", "m/s",
-     "at {count} instants, from t = {since} s on, contacts stuck and slipped in turn without end, or "
-     "friction jammed: an impulse "
-     "within the friction cones took them over a short time, to {reached} m/s of the law"},
+     "at {count} instants, from t = {since} s on, contacts alternated between stick and slip without end, or "
+     "friction jammed: impulses within the friction cones advanced the motion over a short time, with "
+     "contact velocities off by up to {reached} m/s"},
     {K::slip_turned_late, "slip-turned-late", "", "m/s",
-     "from t = {since} s on friction turned slips slower than {reached} m/s late: velocities after such a "
-     "slip are "
-     "right to about that"},
+     "from t = {since} s on, friction turned late at slips slower than {reached} m/s: velocities after such "
+     "a slip are right to about that"},
     {K::plastic, "plastic", "events", "",
      "{count} steps, from t = {since} s on, had more than {limit} events: for the rest of these steps, "
-     "contacts had "
-     "no restitution and no friction"},
+     "contacts had no restitution and no friction"},
     {K::not_located, "not-located", "", "m/s",
-     "from t = {since} s on, {count} steps had more events than are followed: the rest of these steps went "
-     "in "
-     "{cause} of first order, without location of events, and obeyed the contact laws to {reached} m/s"},
+     "{count} steps, from t = {since} s on, had more events than the limit: the rest of these steps was made "
+     "in {cause} of first order, without location of events, with contact velocities off by up to {reached} "
+     "m/s"},
     {K::too_fast, "too-fast", "parts", "",
      "in {count} steps, from t = {since} s on, bodies moved farther than half the smallest half-width in "
-     "1/{limit} "
-     "of a step: they may have passed through each other"},
+     "1/{limit} of a step: they may have passed through each other"},
     {K::contacts_unsolved, "contacts-unsolved", "", "m/s",
      "contact and joint equations were solved only to {reached} m/s: {count} times, from t = {since} s on"},
     {K::contacts_swept, "contacts-swept", "sweeps", "m/s",
-     "contacts of many bodies were solved by sweeps, up to {limit} in a step: {count} steps, from t = "
-     "{since} s on, ended "
-     "off the contact laws by up to {reached} m/s"},
+     "contacts of many bodies were solved by sweeps, up to {limit} in a step: in {count} steps, from t = "
+     "{since} s on, contact velocities were off by up to {reached} m/s at the end"},
     {K::overlaps_unsolved, "overlaps-unsolved", "", "m",
-     "{count} displacements that remove overlaps, from t = {since} s on, were solved only to {reached} m"},
+     "{count} corrections of overlaps, from t = {since} s on, were solved only to {reached} m"},
     {K::joints_drifted, "joints-drifted", "rounds", "m, rad",
-     "after {count} steps, from t = {since} s on, joints were not closed in {limit} rounds: they stayed open "
-     "by up "
-     "to {reached} m or rad"},
+     "after {count} steps, from t = {since} s on, the joints were not closed in {limit} iterations; the "
+     "largest gap is {reached} m or rad"},
     {K::joint_forces_implicit, "joint-forces-implicit", "forces", "",
-     "{limit} forces in joints are too stiff for steps this long: they are those at the end of each step, "
-     "which damps "
-     "what they would let oscillate"},
-    {K::stiff, "stiff", "parts", "", "steps go in up to {limit} parts: {cause} is too stiff for longer ones"},
+     "{limit} forces in joints are too stiff for steps of this length: they are integrated implicitly, which "
+     "damps their oscillations"},
+    {K::gimbal_passed, "gimbal-passed", "", "rad",
+     "in {count} steps, from t = {since} s on, a gimbal came close to parallel axes, where its angles are "
+     "singular: the angle between the axes changed by up to {reached} rad, more than half its distance from "
+     "parallel, and the motion after that is not reliable"},
+    {K::stiff, "stiff", "parts", "",
+     "steps are divided into up to {limit} parts: {cause} is too stiff for longer ones"},
     {K::unstable, "unstable", "s", "",
      "steps longer than {limit} s are unstable where {cause} acts in full: the motion may grow without "
      "limit"},
     {K::solved_at_once, "solved-at-once", "", "",
-     "impacts = sequential was not kept in {count} parts of steps, from t = {since} s on: bounces of one "
-     "body in "
-     "one step were solved at once"},
+     "impacts = sequential was not kept in {count} substeps, from t = {since} s on: several impacts of one "
+     "body in one step were solved at once"},
     {K::solved_in_turn, "solved-in-turn", "", "",
      "impacts = simultaneous was not kept in {count} steps, from t = {since} s on: impacts of one body at "
-     "one "
-     "instant followed one another"},
+     "one instant were solved one after another"},
     {K::approaching, "approaching", "rounds", "",
-     "impacts of spheres within a part of a step did not come to an end in {limit} rounds, {count} times "
-     "from t = "
-     "{since} s on: what still approached met in the next part, as a contact"},
+     "impacts of spheres within a substep did not end in {limit} iterations, {count} times from t = {since} "
+     "s on: the pairs that still approached were solved as contacts in the next substep"},
     {K::facets_unsettled, "facets-unsettled", "rounds", "m",
-     "at {count} contacts of round bodies, from t = {since} s on, the place of the touch was not found in "
-     "{limit} "
-     "rounds: its gap is off by at most {reached} m"},
+     "at {count} contacts of round bodies, from t = {since} s on, the contact point was not found in {limit} "
+     "iterations: its gap is off by at most {reached} m"},
     {K::points_left_out, "points-left-out", "points", "",
-     "{count} contacts, from t = {since} s on, had more than {limit} points, of which the deepest and the "
-     "outermost "
-     "stayed: the face that carries may be narrower than it is"},
+     "{count} contacts, from t = {since} s on, had more than {limit} points; only the deepest and the "
+     "outermost were kept: the supporting area may be smaller than it is"},
     {K::more, "more", "", "", "{count} more diagnostics are not listed"},
 }};
 

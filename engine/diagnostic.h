@@ -53,6 +53,7 @@ enum class DiagnosticKind {
   overlaps_unsolved,
   joints_drifted,
   joint_forces_implicit,
+  gimbal_passed,
   stiff,
   unstable,
   solved_at_once,

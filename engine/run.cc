@@ -31,6 +31,7 @@ Run::Run(std::shared_ptr<const Model> model, const Options& options, std::int64_
       plan_(make_plan(*model_, options_, late(first))),
       start_(static_cast<Time>(first) * options.dt),
       now_(island_of(plan_)),
+      gimbals_(*model_),
       motions_(model_->motions),
       steps_(first),
       stepped_(plan_.path == Path::stepping) {
@@ -54,10 +55,19 @@ void Run::step() {
   }
   ++steps_;
   stepper_->read(motions_);
+  watch_gimbals();
+}
+
+// Adaptive integrators shorten their steps near parallel axes, or stop there.
+void Run::watch_gimbals() {
+  if (!gimbals_.sees_any() || (plan_.integrator && plan_.integrator->kind == Kind::adaptive)) return;
+  const Real change = gimbals_.look(motions_);
+  if (change > 0) log_.note(DiagnosticKind::gimbal_passed, time(), {}, static_cast<double>(change));
 }
 
 void Run::advance(std::int64_t n) {
-  for (; ballistic_ && n > 0; --n) step();  // it may hand over after any of them
+  // Any step may hand over, or pass parallel axes of a gimbal.
+  for (; (ballistic_ || gimbals_.sees_any()) && n > 0; --n) step();
   if (n == 0) return;
   // Integrators make one of kicks that meet in a run of steps, and other last bits with it: only free
   // bodies run.

@@ -1,6 +1,7 @@
 // One island of a scene on its way through time, by the plan that its model asks for.
 #pragma once
 
+#include "engine/gimbal_watch.h"
 #include "engine/plan.h"
 #include "engine/stepper.h"
 
@@ -53,6 +54,7 @@ class Run {
  private:
   void hand_over();
   void take_impacts();
+  void watch_gimbals();
 
   std::shared_ptr<const Model> model_;
   Options options_;
@@ -62,6 +64,7 @@ class Run {
   Ballistic* ballistic_ = nullptr;  // stepper_, while it is one
   DiagnosticLog log_;
   IslandName now_;  // how it moves now
+  GimbalWatch gimbals_;
   std::vector<Motion> motions_;
   std::vector<Impact> impacts_;
   std::int64_t steps_, spent_ = 0;  // spent_: operations of the stepper before a handover

@@ -144,11 +144,12 @@ bool has_limit(const JointCoordinate& c) { return c.lower || c.upper; }
 bool has_rotor(const JointCoordinate& c) { return c.armature != 0; }
 
 void reverse(JointCoordinate& c) {
-  for (double* value : {&c.start, &c.force, &c.target, &c.target_amplitude}) *value = -*value;
-  for (double& value : c.target_values) value = -value;
+  // Not -0, which is no default of a scenario file.
+  for (double* value : {&c.start, &c.force, &c.target, &c.target_amplitude}) *value = 0 - *value;
+  for (double& value : c.target_values) value = 0 - value;
   std::swap(c.lower, c.upper);
-  if (c.lower) *c.lower = -*c.lower;
-  if (c.upper) *c.upper = -*c.upper;
+  if (c.lower) *c.lower = 0 - *c.lower;
+  if (c.upper) *c.upper = 0 - *c.upper;
 }
 
 double joint_potential(const HeldJoint& joint, const State& state, double (*size)(double)) {

@@ -42,6 +42,8 @@ constexpr std::array kinds = {
     LossKind{"soft_surface", left_out,
              "compliance and solver parameters of a contact are an engine's affair"},
     LossKind{"contact_margin", left_out, "surfaces of a scene touch at a gap of zero"},
+    LossKind{"limit_margin", left_out, "limits of a scene act at the limit itself"},
+    LossKind{"sleep", left_out, "no body of a scene falls asleep"},
     LossKind{"solver", left_out, "solver settings are an engine's affair"},
     // ---- What a scene assumes ----------------------------------------------------------------------------
     LossKind{"assumed", left_out, "the format does not say it"},

@@ -4,6 +4,7 @@
 
 #include "engine/verified_stepper.h"
 #include "tests/engine/diagnostic_scenes.h"
+#include "tests/engine/joint_scenes.h"
 
 #include <functional>
 #include <map>
@@ -132,6 +133,8 @@ const std::vector<Provoked> provoked = {
     {K::joints_drifted, 1, [] { return said(held_in_two_places(), on("stepping", 0.02), 50); }},
     {K::joint_forces_implicit, 0.02,
      [] { return said(with_rail_and_damper(ball_over_plane(5, 0), 1e4), on("stepping", 0.01), 2); }},
+    {K::gimbal_passed, 1,
+     [] { return said(gimbal_towards_parallel(true, 3, Real(0.2), Real(0.3)), with("rk4", 0.1), 10); }},
     {K::stiff, 0.02, [] { return said(with_drag(ball_over_plane(5, 0), 210), on("stepping", 0.01), 2); }},
     {K::unstable, 0.02,
      [] { return said(with_drag(ball_over_plane(5, 0), Real(7e8)), on("stepping", 0.01), 2); }},
@@ -299,7 +302,7 @@ TEST(Sentence, ReplacesNothingInNames) {
   Diagnostic d{.kind = K::not_followed, .since = 0.5, .cause = "'{since}' is {count}"};
   d.island.whole = false, d.island.bodies = {4}, d.island.count = 9;
   EXPECT_EQ(sentence(d, [](Thing, int) { return std::string("'{reached}'"); }),
-            "'{reached}' and 8 more: from t = 0.5 s on in fixed steps, since '{since}' is {count}");
+            "'{reached}' and 8 more: from t = 0.5 s on in fixed steps, because '{since}' is {count}");
 }
 
 }  // namespace

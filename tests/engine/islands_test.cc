@@ -228,7 +228,7 @@ TEST(Islands, KeepTheTurnsOfAWoundSpring) {
                 40 * std::cos(rate * 3), by_steps ? Real(0.1) : Real(1e-6));
     std::string all;
     for (const std::string& said : world.remarks()) all += said;
-    EXPECT_NE(all.find("are one part"), std::string::npos) << all;
+    EXPECT_NE(all.find("are one island"), std::string::npos) << all;
   }
 }
 

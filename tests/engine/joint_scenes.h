@@ -133,6 +133,24 @@ inline JointScene joint_scene(Joint::Type type, bool to_world) {
   return s;
 }
 
+/// A gimbal with springs on the angles about both axes, and a spin of its body that turns these towards each other.
+inline Model gimbal_towards_parallel(bool to_world, Real towards, Real about_axis, Real stiffness) {
+  JointScene s = joint_scene(joint_types::gimbal, to_world);
+  for (const bool about_second : {false, true}) {
+    CoordinateLaw law;
+    law.at = s.angle(about_second), law.stiffness = stiffness;
+    s.model.forces.coordinate_laws.push_back(law), stiffness *= Real(0.7);
+  }
+  const Vector3 third = s.axis.cross(s.second).normalized(), spin = towards * third + about_axis * s.axis;
+  const auto set_spin = [&](std::size_t i, const Vector3& velocity, const Vector3& w) {
+    Motion& m = s.model.motions[i];
+    m = make_motion(s.model.bodies[i], m.position, m.orientation, velocity, w);
+  };
+  set_spin(0, (s.model.motions[0].orientation * s.joint().anchor).cross(spin), spin);
+  if (!to_world) set_spin(1, Vector3::Zero(), Vector3::Zero());
+  return s.model;
+}
+
 /// value + amplitude cos(frequency t + phase)
 inline Target harmonic(Real value, Real amplitude, Real frequency, Real phase) {
   Target target;

@@ -78,8 +78,8 @@ TEST(Said, WhereASearchForSurfacesThatMeetEnds) {
     options.path = "events";
     return run(model, options, 40).remarks;
   };
-  EXPECT_TRUE(says(sliding(Capsule{Real(0.2), Real(0.5)}, Real(0.4)), "ended before they had seen all"));
-  EXPECT_FALSE(says(sliding(Box{Vector3::Constant(Real(0.2))}, Real(0.4)), "ended before they had seen all"));
+  EXPECT_TRUE(says(sliding(Capsule{Real(0.2), Real(0.5)}, Real(0.4)), "reached their limit of work"));
+  EXPECT_FALSE(says(sliding(Box{Vector3::Constant(Real(0.2))}, Real(0.4)), "reached their limit of work"));
 }
 
 // A blow runs back along a row of balls that touch, one ball in each round of impacts: 64 rounds are made.
@@ -94,8 +94,8 @@ TEST(Said, WhereRoundsOfImpactsEnd) {
     options.path = "stepping";
     return run(model, options, 2).remarks;
   };
-  EXPECT_TRUE(says(row(100), "did not come to an end"));
-  EXPECT_FALSE(says(row(20), "did not come to an end"));
+  EXPECT_TRUE(says(row(100), "did not end in"));
+  EXPECT_FALSE(says(row(20), "did not end in"));
 }
 
 }  // namespace

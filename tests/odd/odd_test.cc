@@ -39,8 +39,8 @@ struct Odd {
   friend std::ostream& operator<<(std::ostream& out, const Odd& odd) { return out << odd.name; }
 };
 
-constexpr const char* unknown = "it is not known whether the tolerance";
-constexpr const char* not_followed = "had more events than are followed";
+constexpr const char* unknown = "the error is not known";
+constexpr const char* not_followed = "had more events than the limit";
 
 // Ball that rolls on two lines of contact at the distance a below its centre, from the speed v of sliding:
 //   m (v - v') = J,  2/5 m r^2 w = J a,  v' = a w   =>   v' = v k/(1 + k),  k = a^2/(2/5 r^2)

@@ -34,6 +34,10 @@ class Compiled {
   /// Of mjModel: "nbody"; 0 where the release has no such size.
   int size(const char* name) const { return json_.at("sizes").value(name, 0); }
   double option(const char* name) const { return finite(json_.at("option").at(name), name); }
+  /// Of one that the other library may not tell.
+  double option(const char* name, double otherwise) const {
+    return json_.at("option").contains(name) ? option(name) : otherwise;
+  }
   foreign::Vector3 gravity() const { return vector("option", "gravity", 0); }
   bool disabled(const char* what) const;
   /// Whether `actuatorgroupdisable` names this group of actuators.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -50,11 +51,13 @@ Freedom freedom_of(const Compiled& m, int joint, const Drive& drive, foreign::Mo
   f.damping = (m.disabled("damper") ? 0 : m.number("dof_damping", motion)) + drive.damping;
   if (!m.disabled("frictionloss") && !m.disabled("constraint"))
     f.friction = m.number("dof_frictionloss", motion);
-  const auto lose = [&](const char* what, const char* detail) {
-    model.losses.push_back({what, m.place("joint", joint), detail});
+  const auto lose = [&](const char* what, std::string detail) {
+    model.losses.push_back({what, m.place("joint", joint), std::move(detail)});
   };
   if (has_curved_spring(m, joint)) lose("joint_spring", "not linear");
   if (has_curved_damper(m, motion)) lose("joint_damping", "not linear");
+  if (const double margin = m.number("jnt_margin", joint); f.lower && margin != 0)
+    lose("limit_margin", fmt::format("{} {}", margin, kind == MjJoint::slide ? "m" : "rad"));
   return f;
 }
 

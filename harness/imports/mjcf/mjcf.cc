@@ -105,6 +105,10 @@ void add_losses(const Compiled& m, const std::string& keyframe, foreign::Model& 
   if (m.option("density") != 0 || m.option("viscosity") != 0)
     lose("fluid", {"option", "", 0},
          fmt::format("density {}, viscosity {}", m.option("density"), m.option("viscosity")));
+  if (const double asleep = m.option("asleep", 0); asleep > 0)
+    lose("unread", {"option", "", 0}, fmt::format("bodies that begin asleep: {}", asleep));
+  else if (m.option("sleep", 0) != 0)
+    lose("sleep", {"option", "", 0});
   if (m.size("njnt") + m.size("neq") + m.size("ngeom") > 0) lose("soft_constraints", {"model", "", 0});
 }
 

@@ -107,6 +107,12 @@ function actuated_gravcomp(M, model) {
   return actuated;
 }
 
+// Whether bodies fall asleep, and how many trees of them begin so.
+function asleep(M, {opt, tree_sleep_policy: policies}) {
+  if (!(opt.enableflags & M.mjtEnableBit.mjENBL_SLEEP.value)) return {};
+  return {sleep: 1, asleep: list(policies).filter((policy) => policy === M.mjtSleepPolicy.mjSLEEP_INIT.value).length};
+}
+
 function told(M, model, data) {
   const arrays = {}, sizes = {};
   for (const name of Object.getOwnPropertyNames(Object.getPrototypeOf(model))) {
@@ -135,6 +141,7 @@ function told(M, model, data) {
   return {
     library: `MuJoCo ${M.mj_versionString()}`, version: M.mj_version(), sizes, names: names_of(model), arrays,
     option: {timestep: opt.timestep, gravity: list(opt.gravity), density: opt.density, viscosity: opt.viscosity, disabled, disabled_groups: opt.disableactuator,
+      ...asleep(M, model),
       ...(opt.enableflags & M.mjtEnableBit.mjENBL_OVERRIDE.value ? {contact_override: {friction: list(opt.o_friction), margin: opt.o_margin}} : {})}, start,
   };
 }

@@ -1,5 +1,6 @@
 #include "reference/formats/resources/resources.h"
 
+#include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <assimp/Importer.hpp>
@@ -54,6 +55,8 @@ std::string resolve(const std::string& uri, const std::string& file, const std::
 
 void load_mesh(const std::string& file, const foreign::Vector3& scale, foreign::Solid& solid) {
   Assimp::Importer importer;
+  // Coordinates as the file has them, as Gazebo and ROS take them; else Assimp turns those of Collada to y up.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   const aiScene* scene = importer.ReadFile(
       file, aiProcess_Triangulate | aiProcess_PreTransformVertices | aiProcess_JoinIdenticalVertices);
   if (!scene) throw Refused("the mesh '" + file + "': " + importer.GetErrorString());

@@ -118,7 +118,7 @@ void check(const Scene& scene) {
   }
   EXPECT_GE(run.impacts.size(), scene.least_impacts) << scene.name;
   for (const std::string& remark : sentences(run.stepper.diagnostics())) {
-    const bool searched = remark.find("ended before they had seen all") != std::string::npos;
+    const bool searched = remark.find("reached their limit of work") != std::string::npos;
     EXPECT_TRUE(searched || (!scene.remark.empty() && remark.find(scene.remark) != std::string::npos))
         << scene.name << ": " << remark;
   }

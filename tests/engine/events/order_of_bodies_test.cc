@@ -106,7 +106,7 @@ void compare(const Pair& pair, double end, Compared& compared) {
   const auto keeps = [](const Trial& run) {  // where a search ended, nothing may have been there
     const std::vector<std::string> remarks = sentences(run.stepper.diagnostics());
     return std::all_of(remarks.begin(), remarks.end(), [](const std::string& remark) {
-      return remark.find("ended before they had seen all") != std::string::npos;
+      return remark.find("reached their limit of work") != std::string::npos;
     });
   };
   const bool kept = keeps(one);

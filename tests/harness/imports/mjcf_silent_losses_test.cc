@@ -112,11 +112,49 @@ INSTANTIATE_TEST_SUITE_P(
         Silent{"ActivationRange",
                HINGE R"(<actuator><intvelocity name="m" joint="j" kp="5" actrange="0.5 1"/></actuator>)",
                "actuator 'm': actuator_state (its activation changes)"},
+        Silent{"BeginsAsleep",
+               R"(<option><flag sleep="enable"/></option><worldbody><body sleep="init"><freejoint/>)" BALL,
+               "option: unread (bodies that begin asleep: 1)"},
         Silent{"AnisotropicOverride",
                R"(<option o_friction="0.2 0.3 0.005 0.0001 0.0001"><flag override="enable"/></option>)"
                R"(<worldbody><geom name="floor" type="plane" size="0 0 1"/><body><freejoint/>)" BALL,
                "geom 'floor' and 1 more: anisotropic_friction (o_friction)"}),
     [](const auto& row) { return std::string(row.param.name); });
+
+// What was left out without a word, and is told now.
+class MjcfUntold : public testing::TestWithParam<Silent> {};
+
+TEST_P(MjcfUntold, LossIsTold) {
+  REQUIRE_IMPORT("xml");
+  const Outcome outcome = import_mjcf(GetParam().text);
+  EXPECT_EQ(outcome.refusal, "");
+  EXPECT_TRUE(outcome.leaves_out(GetParam().says)) << outcome.left_out;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Parts, MjcfUntold,
+    testing::Values(Silent{"MarginOfALimit",
+                           R"(<compiler angle="radian"/><worldbody><body>)"
+                           R"(<joint name="j" axis="0 1 0" range="-1 .5" limited="true" margin="0.2"/>)" BALL,
+                           "joint 'j': limit_margin (0.2 rad)"},
+                    Silent{"Sleep",
+                           R"(<option><flag sleep="enable"/></option><worldbody><body><freejoint/>)" BALL,
+                           "option: sleep"}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+// Coordinates that run against those of the scene's joint: a target of -0 stood in the scenario, which was refused for it.
+TEST(MjcfJoints, WithOppositeAxesAreNoServos) {
+  REQUIRE_IMPORT("xml");
+  for (const char* what : {R"(armature=".1")", R"(frictionloss=".1")", R"(range="-20 90")"}) {
+    const Outcome outcome =
+        import_mjcf(std::string(R"(<worldbody><body><joint type="slide" axis="1 0 0"/>)") +
+                    "<joint axis=\"-1 0 0\" " + what + "/>" BALL);
+    ASSERT_EQ(outcome.refusal, "") << what;
+    const core::JointAngle& angle = outcome.scene().joints.at(0).angles.at(0);
+    for (const double x : {angle.start, angle.force, angle.target, angle.target_amplitude})
+      EXPECT_FALSE(std::signbit(x)) << what;
+  }
+}
 
 // -k q - c q' + f along a joint.
 struct Acting {

@@ -197,5 +197,41 @@ TEST(SdfCollideWithoutContact, TouchesNothing) {
   }
 }
 
+// Vertices of Collada files with z up were turned to y up.
+TEST(SdfMesh, OfColladaHasTheCoordinatesOfItsFile) {
+  REQUIRE_IMPORT("sdf");
+  for (const char* up : {"X_UP", "Y_UP", "Z_UP"}) {
+    const TemporaryFolder folder;
+    const std::string file = (folder.path() / "tetrahedron.dae").string();
+    std::ofstream(file) << R"(<?xml version="1.0"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<asset><unit name="half" meter="0.5"/><up_axis>)"
+                        << up << R"(</up_axis></asset>
+<library_geometries><geometry id="g"><mesh>
+<source id="p"><float_array id="a" count="12">0 0 0 1 0 0 0 2 0 0 0 3</float_array><technique_common>
+<accessor source="#a" count="4" stride="3"><param name="X" type="float"/><param name="Y" type="float"/>
+<param name="Z" type="float"/></accessor></technique_common></source>
+<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+<triangles count="4"><input semantic="VERTEX" source="#v" offset="0"/><p>0 2 1 0 1 3 0 3 2 1 2 3</p></triangles>
+</mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="s"><node id="n"><instance_geometry url="#g"/></node></visual_scene>
+</library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
+    const Outcome outcome = import_world(
+        "<model name='b'><pose>9 0 9 0 0 0</pose>" + link("l", ball(), 0) + "</model>" +
+        "<model name='t'><static>1</static><link name='l'><collision name='c'><geometry><mesh><uri>" + file +
+        "</uri></mesh></geometry></collision></link></model>");
+    ASSERT_EQ(outcome.refusal, "") << up;
+    const core::Scene& scene = outcome.scene();
+    core::Vector3 most = core::Vector3::Zero();
+    for (const core::Body& body : scene.bodies)
+      if (const auto* mesh = std::get_if<core::Mesh>(&body.shape))
+        for (const core::Vector3& v : mesh->vertices)
+          most = most.cwiseMax(body.initial.position + body.initial.orientation * v);
+    // x, y, z of the file are x, -z, y of the scene, in halves of a metre.
+    EXPECT_NEAR(most.x(), 0.5, 1e-6) << up;
+    EXPECT_NEAR(most.y(), 1.5, 1e-6) << up;
+  }
+}
+
 }  // namespace
 }  // namespace cylon::imports
