@@ -7,6 +7,7 @@ Takes about an hour and needs the optional engines (./run engines).  It works in
 goes on that was interrupted.  Errors and orders are the same on every run; times are of the machine, and of its load.
 """
 import argparse
+import json
 import os
 import pathlib
 import re
@@ -23,7 +24,7 @@ begin, end = "<!-- begin: tables -->", "<!-- end: tables -->"
 scenarios = ["projectile", "bouncing_sphere", "bouncing_sphere_elastic", "spring_zero_length", "spring_orbit",
              "free_symmetric_top", "dzhanibekov", "heavy_top"]
 optional = [engine for title, engines, _ in engine_table.families for engine in engines
-            if title not in ("in-house", "Bullet", "ODE")]
+            if title not in ("in-house", "Bullet", "ODE") and "integrator=" not in engine]  # trade takes all integrators
 # Name, engines, options, and what stands above a table and in the name of its plot.  Optional engines have fewer steps: they
 # cost up to a hundred times as much a step.
 groups = {
@@ -35,6 +36,25 @@ groups = {
 }
 
 
+def named_in_full(table, series):
+    """The table with whole names in its rows, which stand in the order of the series."""
+    names = [re.sub("/integrator=.*", "", s["engine"]) + " " + s["integrator"] for s in series]
+    width, cut, rows = max(map(len, names)), 0, iter(names)
+    lines = table.split("\n")
+    for i, line in enumerate(lines):
+        if line.lstrip().startswith("p observed"):
+            cut = line.index("p observed") - 3  # of "  p", "tol"
+            lines[i] = " " * width + line[cut:]
+        elif cut and not line:
+            break
+        elif cut:
+            name = next(rows)
+            if not name.startswith(line[:cut].split("…")[0].strip()):
+                sys.exit(f"{line!r} is not the row of {name}")
+            lines[i] = name.ljust(width) + line[cut:]
+    return "\n".join(lines)
+
+
 def measure(cylon, group):
     """The command, and its table of each scenario."""
     engines, options, _, suffix = groups[group]
@@ -42,12 +62,14 @@ def measure(cylon, group):
     plots = root / "docs" / "plots" / f"trade{suffix}.svg"
     folder = root / "build" / "speed-against-accuracy" / group
     folder.mkdir(parents=True, exist_ok=True)
-    done = subprocess.run([cylon, *words, "--svg", plots, "--resume"], cwd=folder, stdout=subprocess.PIPE, text=True,
-                          env={**os.environ, "COLUMNS": "100"})
+    done = subprocess.run([cylon, *words, "--svg", plots, "--json", "trade.json", "--resume"], cwd=folder,
+                          stdout=subprocess.PIPE, text=True, env={**os.environ, "COLUMNS": "100"})
     if done.returncode != 0:
         sys.exit(f"cylon trade ended with {done.returncode}")
     parts = re.split(rf"^(?=(?:{'|'.join(scenarios)}): )", done.stdout, flags=re.M)
-    return "cylon " + " ".join(words), {part.split(":", 1)[0]: part.rstrip() for part in parts if part.strip()}
+    series = {t["scenario"]: t["series"] for t in json.loads((folder / "trade.json").read_text())["tables"]}
+    tables = {part.split(":", 1)[0]: part.rstrip() for part in parts if part.strip()}
+    return "cylon " + " ".join(words), {name: named_in_full(table, series[name]) for name, table in tables.items()}
 
 
 def main():
