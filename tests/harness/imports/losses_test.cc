@@ -1,10 +1,16 @@
 // The table of what a scene cannot say.
 #include "harness/imports/losses.h"
 
+#include "tests/paths.h"
+
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <stdexcept>
+#include <string>
 
 namespace cylon::imports {
 namespace {
@@ -16,6 +22,20 @@ TEST(Losses, HaveOneRowEachWithAReason) {
     EXPECT_FALSE(kind.why.empty()) << kind.what;
     EXPECT_EQ(&loss_kind(kind.what), &kind);
   }
+}
+
+// docs/import.md lists them, in this order.
+TEST(LossesPage, ListsEveryKind) {
+  std::string table = "| kind | becomes | why |\n|---|---|---|\n";
+  for (const LossKind& kind : loss_kinds()) {
+    std::string why(kind.why);
+    if (const std::size_t star = why.find('*'); star != std::string::npos) why.insert(star, "\\");
+    table += "| `" + std::string(kind.what) + "` | " +
+             (kind.decision == Decision::refused ? "refused" : "left out") + " | " + why + " |\n";
+  }
+  std::ifstream in(std::filesystem::path(source_dir) / "docs/import.md");
+  const std::string page(std::istreambuf_iterator<char>(in), {});
+  EXPECT_NE(page.find("<!-- kinds -->\n" + table + "<!-- /kinds -->"), std::string::npos) << table;
 }
 
 TEST(Losses, RefuseAWordThatIsNoneAndSayTheNearest) {
