@@ -62,6 +62,12 @@ void add_surface(Element& collision, const Surface& surface) {
   if (surface.restitution != 0) add(add(made, "bounce"), "restitution_coefficient", surface.restitution);
 }
 
+// Of names that SDFormat keeps for itself.
+void require_free(const char* table, const std::string& name, const std::string& part) {
+  if (part == "world" || (part.size() >= 4 && part.starts_with("__") && part.ends_with("__")))
+    throw Unsayable{table, name, "name", fmt::format("SDFormat keeps the name '{}' for itself", part)};
+}
+
 // The parts of "arm::hand", which are names of models and at last of a link.
 std::vector<std::string> parts_of_name(const char* table, const std::string& name) {
   std::vector<std::string> parts;
@@ -70,11 +76,12 @@ std::vector<std::string> parts_of_name(const char* table, const std::string& nam
     parts.push_back(name.substr(at, end - at));
     at = end + 2;
   }
-  for (const std::string& part : parts)
-    if (parts.size() > 1 &&
-        (part.empty() || part == "world" || (part.starts_with("__") && part.ends_with("__"))))
+  for (const std::string& part : parts) {
+    if (parts.size() > 1 && part.empty())
       throw Unsayable{table, name, "name",
-                      fmt::format("'::' is between the names of models and links, and '{}' is none", part)};
+                      "'::' is between the names of models and links, and one of them is empty"};
+    require_free(table, name, part);
+  }
   return parts;
 }
 
@@ -264,6 +271,7 @@ class Writer {
     const auto number = &joint - scene_.joints.data();
     const std::size_t last = joint.name.rfind("::");  // joints are all in the outermost model
     const std::string own = last == std::string::npos ? joint.name : joint.name.substr(last + 2);
+    require_free("joint", name, own);
     set(made, "name", unique(own.empty() ? fmt::format("joint {}", number) : own, moving_.taken)),
         set(made, "type", type);
     add(made, "parent", to == core::world ? "world" : references_[at(to)]);

@@ -110,6 +110,15 @@ INSTANTIATE_TEST_SUITE_P(
             "MJCF",
             "[[body]]\nname = \"world\"\nposition = [1.0, 3.0, 0.0]\nmass = 1.0\ninertia = [1.0, 1.0, 1.0]\n",
             "bad.toml:16:8: MJCF cannot say 'name' of body of 'world'"},
+        // Was written, and no reader of SDFormat takes it.
+        Case{
+            "SDFormat",
+            "[[body]]\nname = \"__c__\"\nposition = [1.0, 3.0, 0.0]\nmass = 1.0\ninertia = [1.0, 1.0, 1.0]\n",
+            "bad.toml:16:8: SDFormat cannot say 'name' of body of '__c__': SDFormat keeps the name '__c__'"},
+        Case{"SDFormat",
+             "[[joint]]\ntype = \"hinge\"\nname = \"world\"\nbody = \"a\"\npoint = [0.0, 1.0, 0.0]\n"
+             "axis = [0.0, 1.0, 0.0]\n",
+             "bad.toml:17:8: SDFormat cannot say 'name' of joint of 'a': SDFormat keeps the name 'world'"},
         Case{"SDFormat",
              "[[body]]\nname = \"c::\"\nposition = [1.0, 3.0, 0.0]\nmass = 1.0\ninertia = [1.0, 1.0, 1.0]\n",
              "bad.toml:16:8: SDFormat cannot say 'name' of body of 'c::': '::' is between the names of "
