@@ -64,8 +64,9 @@ void load_mesh(const std::string& file, const foreign::Vector3& scale, foreign::
     const aiMesh& mesh = *scene->mMeshes[i];
     const auto first = static_cast<std::int32_t>(solid.vertices.size());
     for (unsigned k = 0; k < mesh.mNumVertices; ++k)
-      solid.vertices.emplace_back(foreign::Vector3(mesh.mVertices[k].x, mesh.mVertices[k].y, mesh.mVertices[k].z)
-                                   .cwiseProduct(scale));
+      solid.vertices.emplace_back(
+          foreign::Vector3(mesh.mVertices[k].x, mesh.mVertices[k].y, mesh.mVertices[k].z)
+              .cwiseProduct(scale));
     for (unsigned k = 0; k < mesh.mNumFaces; ++k)
       if (const aiFace& face = mesh.mFaces[k]; face.mNumIndices == 3)
         solid.faces.push_back({first + static_cast<std::int32_t>(face.mIndices[0]),
