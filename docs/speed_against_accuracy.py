@@ -7,7 +7,6 @@ Takes about an hour and needs the optional engines (./run engines).  It works in
 goes on that was interrupted.  Errors and orders are the same on every run; times are of the machine, and of its load.
 """
 import argparse
-import json
 import os
 import pathlib
 import re
@@ -25,7 +24,7 @@ scenarios = ["projectile", "bouncing_sphere", "bouncing_sphere_elastic", "spring
              "free_symmetric_top", "dzhanibekov", "heavy_top"]
 optional = [engine for title, engines, _ in engine_table.families for engine in engines
             if title not in ("in-house", "Bullet", "ODE") and "integrator=" not in engine]  # trade takes all integrators
-# Name, engines, options, and what stands above a table and in the name of its plot.  Optional engines have fewer steps: they
+# Engines, options, the title of plots, and what is in their names.  Optional engines have fewer steps: they
 # cost up to a hundred times as much a step.
 groups = {
     "core": (["in-house", "in-house-float/integrator=velocity-verlet", "bullet", "bullet/gyro=none", "bullet-float",
@@ -36,25 +35,6 @@ groups = {
 }
 
 
-def named_in_full(table, series):
-    """The table with whole names in its rows, which stand in the order of the series."""
-    names = [re.sub("/integrator=.*", "", s["engine"]) + " " + s["integrator"] for s in series]
-    width, cut, rows = max(map(len, names)), 0, iter(names)
-    lines = table.split("\n")
-    for i, line in enumerate(lines):
-        if line.lstrip().startswith("p observed"):
-            cut = line.index("p observed") - 3  # of "  p", "tol"
-            lines[i] = " " * width + line[cut:]
-        elif cut and not line:
-            break
-        elif cut:
-            name = next(rows)
-            if not name.startswith(line[:cut].split("…")[0].strip()):
-                sys.exit(f"{line!r} is not the row of {name}")
-            lines[i] = name.ljust(width) + line[cut:]
-    return "\n".join(lines)
-
-
 def measure(cylon, group):
     """The command, and its table of each scenario."""
     engines, options, _, suffix = groups[group]
@@ -62,14 +42,12 @@ def measure(cylon, group):
     plots = root / "docs" / "plots" / f"trade{suffix}.svg"
     folder = root / "build" / "speed-against-accuracy" / group
     folder.mkdir(parents=True, exist_ok=True)
-    done = subprocess.run([cylon, *words, "--svg", plots, "--json", "trade.json", "--resume"], cwd=folder,
-                          stdout=subprocess.PIPE, text=True, env={**os.environ, "COLUMNS": "100"})
+    done = subprocess.run([cylon, *words, "--svg", plots, "--resume"], cwd=folder, stdout=subprocess.PIPE, text=True,
+                          env={**os.environ, "COLUMNS": "130"})
     if done.returncode != 0:
         sys.exit(f"cylon trade ended with {done.returncode}")
     parts = re.split(rf"^(?=(?:{'|'.join(scenarios)}): )", done.stdout, flags=re.M)
-    series = {t["scenario"]: t["series"] for t in json.loads((folder / "trade.json").read_text())["tables"]}
-    tables = {part.split(":", 1)[0]: part.rstrip() for part in parts if part.strip()}
-    return "cylon " + " ".join(words), {name: named_in_full(table, series[name]) for name, table in tables.items()}
+    return "cylon " + " ".join(words), {part.split(":", 1)[0]: part.rstrip() for part in parts if part.strip()}
 
 
 def main():
@@ -78,7 +56,7 @@ def main():
     cylon = parser.parse_args().cylon.resolve()
     made = {group: measure(cylon, group) for group in groups}
     commands = "\n".join(command for command, _ in made.values())
-    text = [f"Measured on {measured.processor()}, which was busy with other work as well, by\n\n```sh\n{commands}\n```"]
+    text = [f"Measured on {measured.processor()} by\n\n```sh\n{commands}\n```"]
     for name in scenarios:
         text.append(f"### {name}")
         for group, (_, tables) in made.items():

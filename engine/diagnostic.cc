@@ -17,7 +17,7 @@ const std::array<DiagnosticRow, static_cast<std::size_t>(DiagnosticKind::count)>
      "{cause} overlap by {reached} m at the start, more than {limit} m, a tenth of the thinner one's width, "
      "and are connected by joints: they do not collide with each other"},
     {K::not_divided, "not-divided", "bodies", "bodies",
-     "more than {limit} bodies ({reached}) may touch others: the scene is not divided into islands"},
+     "more than {limit} bodies ({reached}) may touch others: they are one island, however far apart"},
     {K::merged, "merged", "", "", "from t = {since} s on these may meet and are one island"},
     {K::parted, "parted", "", "", "from t = {since} s on an island of its own"},
     {K::not_followed, "not-followed", "", "", "from t = {since} s on in fixed steps, because {cause}"},
@@ -35,9 +35,9 @@ const std::array<DiagnosticRow, static_cast<std::size_t>(DiagnosticKind::count)>
      "auto: the sample at t = {since} s lies within a step of an impact: solutions at the two finest local "
      "tolerances differ by {reached} of the scales of the motion there, beside the tolerance {limit}"},
     {K::tolerance_unknown, "tolerance-unknown", "1", "",
-     "auto: from t = {since} s on the error is not known, and the tolerance {limit} may be missed: both "
-     "solutions used a fallback that does not obey the contact laws exactly, so that their agreement proves "
-     "nothing"},
+     "auto: from t = {since} s on the error is not known, and the tolerance {limit} may be missed: the "
+     "solution used a fallback that does not obey the contact laws exactly, so that the agreement of two "
+     "solutions proves nothing"},
     {K::integration_ended, "integration-ended", "", "", "integration stopped at t = {since} s: {cause}"},
     {K::switches_not_located, "switches-not-located", "switches", "",
      "from t = {since} s on a force switches on and off more than {limit} times in a step: its switching "
@@ -81,8 +81,8 @@ const std::array<DiagnosticRow, static_cast<std::size_t>(DiagnosticKind::count)>
      "friction jammed: impulses within the friction cones advanced the motion over a short time, with "
      "contact velocities off by up to {reached} m/s"},
     {K::slip_turned_late, "slip-turned-late", "", "m/s",
-     "from t = {since} s on, friction turned late at slips slower than {reached} m/s: velocities after such "
-     "a slip are right to about that"},
+     "from t = {since} s on, the direction of friction follows late at slips slower than {reached} m/s: "
+     "velocities after such a slip are right to about that"},
     {K::plastic, "plastic", "events", "",
      "{count} steps, from t = {since} s on, had more than {limit} events: for the rest of these steps, "
      "contacts had no restitution and no friction"},
@@ -129,7 +129,7 @@ const std::array<DiagnosticRow, static_cast<std::size_t>(DiagnosticKind::count)>
      "iterations: its gap is off by at most {reached} m"},
     {K::points_left_out, "points-left-out", "points", "",
      "{count} contacts, from t = {since} s on, had more than {limit} points; only the deepest and the "
-     "outermost were kept: the supporting area may be smaller than it is"},
+     "outermost were kept: the supporting area may be taken too small"},
     {K::more, "more", "", "", "{count} more diagnostics are not listed"},
 }};
 

@@ -26,10 +26,8 @@ Real from_parallel(Real angle) { return std::min(angle, std::numbers::pi_v<Real>
 GimbalWatch::GimbalWatch(const Model& model) {
   for (const CoordinateLaw& law : model.forces.coordinate_laws) {
     const Coordinate& at = law.at;
-    if (at.kind != Coordinate::Kind::azimuth && at.kind != Coordinate::Kind::inclination) continue;
-    const bool known = std::ranges::any_of(
-        gimbals_, [&](const Gimbal& g) { return g.at.body == at.body && g.at.to == at.to; });
-    if (!known) gimbals_.push_back({at, between_axes(at, model.motions)});
+    if (at.kind == Coordinate::Kind::azimuth || at.kind == Coordinate::Kind::inclination)
+      gimbals_.push_back({at, between_axes(at, model.motions)});
   }
 }
 

@@ -25,7 +25,7 @@ class GimbalWatch {
     Coordinate at;
     Real angle;  // between its axes [rad]
   };
-  std::vector<Gimbal> gimbals_;  // one of each joint
+  std::vector<Gimbal> gimbals_;  // one of each law
 };
 
 }  // namespace cylon::engine

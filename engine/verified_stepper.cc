@@ -60,7 +60,8 @@ void VerifiedStepper::step() {
   for (;;) {
     Real error = parted();
     if (compare(error)) return;
-    const bool finest = tolerance_ <= least || missed_at_ >= 0;
+    // Where both runs ended, a finer one ends, too, after many more steps.
+    const bool finest = tolerance_ <= least || missed_at_ >= 0 || (ended(*coarse_) && ended(*fine_));
     if (finest || !tighten()) {
       if (ended(*fine_) && !ended(*coarse_)) {
         loosen();

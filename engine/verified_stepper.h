@@ -19,7 +19,7 @@ using MakeRun = std::function<std::unique_ptr<Stepper>(Real local_tolerance)>;
 /// Where the finer run gave up (Stepper::gave_up()), both may agree and be wrong: nothing is known of the error from there on,
 /// a diagnostic says so, and the finer run goes on alone.  A run that is made to refine and gives up is not taken.
 /// So it is where a finer run ends before the sample, as it does where rounding leaves no step that is small enough:
-/// the two finest runs that go on are taken.
+/// the two finest runs that go on are taken; where both runs end, none finer is tried.
 /// A sample within a step of an impact may part by as much as the impact changes it; it is compared again one
 /// step later.  Of the last sample of a run a diagnostic says so.
 class VerifiedStepper final : public Stepper {

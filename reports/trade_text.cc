@@ -62,7 +62,7 @@ std::string points(const TradeTable& table, const TradeSeries& series, const Con
 
 using Front = std::vector<std::pair<const TradeSeries*, const TradePoint*>>;
 
-std::string front_text(const TradeTable& table, const std::string& build, Front front,
+std::string front_text(const TradeTable& table, const std::string& build, Front front, int name_width,
                        const ConsoleOptions& options) {
   std::stable_sort(front.begin(), front.end(),
                    [](const auto& a, const auto& b) { return a.second->cost < b.second->cost; });
@@ -74,7 +74,7 @@ std::string front_text(const TradeTable& table, const std::string& build, Front 
   for (const auto& [series, point] : front)
     out += fmt::format(
         "* {} {:<16} error {:>8}  CPU {:>8} s/s  {:>8} ns/body-step\n",
-        fitted(shown(trade_label(table, *series), options), 30, options.utf8 ? "…" : "..."),
+        fitted(shown(trade_label(table, *series), options), name_width, options.utf8 ? "…" : "..."),
         point->tolerance > 0 ? fmt::format("tol {:.0e}", point->tolerance) : shown(point->dt_text, options),
         number(point->errors[table.by]), number(point->cost),
         number(1e9 * point->step_seconds /
@@ -93,13 +93,19 @@ std::string trade_text(const TradeTable& table, const ConsoleOptions& options, b
            '\n';
   std::string out = head(table, options);
   const std::vector<double> errors = marks(table);
-  const int reserved = 31 + 4 + 9 * static_cast<int>(errors.size());
-  const int room = std::max(31, std::clamp(options.width, 100, 130) - reserved);
-  out += fmt::format("\n{:<30} {:>3} {:<{}}", "", "p", "observed", room);
+  // Names first, which tell the rows apart; then what was observed.
+  const int width = std::clamp(options.width, 100, 130) - 1 - 4 - 9 * static_cast<int>(errors.size());
+  constexpr int least_name = 30, least_room = 29;
+  int name_width = least_name;
+  for (const TradeSeries& series : table.series)
+    name_width = std::max(name_width, display_width(safe(trade_label(table, series))));
+  name_width = std::clamp(width - least_room, least_name, name_width);
+  const int room = std::max(least_room, width - name_width);
+  out += fmt::format("\n{:<{}} {:>3} {:<{}}", "", name_width, "p", "observed", room);
   for (const double e : errors) out += fmt::format(" {:>8}", fmt::format("@{:.0e}", e));
   out += '\n';
   for (const TradeSeries& series : table.series) {
-    std::string line = fmt::format("{} {:>3} ", fitted(safe(trade_label(table, series)), 30, dots),
+    std::string line = fmt::format("{} {:>3} ", fitted(safe(trade_label(table, series)), name_width, dots),
                                    series.adaptive       ? "tol"
                                    : series.declared > 0 ? std::to_string(series.declared)
                                                          : "-");
@@ -126,7 +132,7 @@ std::string trade_text(const TradeTable& table, const ConsoleOptions& options, b
   for (const TradeSeries& series : table.series)
     for (const TradePoint& point : series.points)
       if (point.on_front) fronts[results::build_of(series.version)].emplace_back(&series, &point);
-  for (const auto& [build, front] : fronts) out += front_text(table, build, front, options);
+  for (const auto& [build, front] : fronts) out += front_text(table, build, front, name_width, options);
   return out;
 }
 

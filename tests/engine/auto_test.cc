@@ -1,5 +1,9 @@
 // Integrator auto: its error bound holds against closed forms, and it reports where it cannot hold.
+#include "engine/verified_stepper.h"
 #include "tests/engine/fixtures.h"
+
+#include <limits>
+#include <memory>
 
 namespace cylon::engine {
 namespace {
@@ -124,6 +128,38 @@ TEST(Auto, AcceptsBodiesAtRest) {
   const Outcome end = run(model, automatic(1e-9, 0.1), 20);
   EXPECT_TRUE(end.remarks.empty());
   EXPECT_LT(distance(end.motions, run(model, "rk8", 2, 2000).motions), 1e-8);
+}
+
+// A run that has no numbers from its second sample on, however small the tolerance.
+class Ending final : public Stepper {
+ public:
+  void step() override { ++steps_; }
+  void read(std::vector<Motion>& motions) const override {
+    const Real x = steps_ < 2 ? Real(1) : std::numeric_limits<Real>::quiet_NaN();
+    motions.assign(1, make_motion(body(), {x, 2, 3}, Quaternion::Identity(), {0, 0, 0}, {0, 0, 0}));
+  }
+  void read_turns(std::vector<Real>& turns) const override { turns.clear(); }
+  static Body body() { return make_body(1, Matrix3::Identity()); }
+
+ private:
+  int steps_ = 0;
+};
+
+// Finer runs were made down to rounding, each of which ended, too.
+TEST(Auto, TriesNoFinerRunWhereBothEnd) {
+  int runs = 0;
+  VerifiedStepper stepper(
+      [&](Real) {
+        ++runs;
+        return std::make_unique<Ending>();
+      },
+      Real(1e-10), 0.01, {Ending::body()});
+  for (int i = 0; i < 5; ++i) stepper.step();
+  EXPECT_EQ(runs, 2);
+  const std::vector<Diagnostic> all = stepper.diagnostics();
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].kind, DiagnosticKind::tolerance_missed);
+  EXPECT_NEAR(static_cast<double>(all[0].since), 0.02, 1e-12);
 }
 
 }  // namespace

@@ -1,10 +1,13 @@
 // Renderings of a table whose every text is hostile: no cell, tag or string may break out.
 #include "reports/trade_report.h"
+#include "reports/text.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <cstddef>
+#include <sstream>
 #include <string>
 
 namespace cylon::reports {
@@ -113,6 +116,29 @@ TEST(TradeReport, TextSaysOrderFloorCostAndFront) {
   t.truth.clear();
   EXPECT_NE(trade_text(t, {}, false).find("no exact solution is known"), std::string::npos);
   EXPECT_NE(trade_text({}, {}, false).find("nothing to measure"), std::string::npos);
+}
+
+// Names of 40 columns were cut at 30, so that rows of one engine looked alike.
+TEST(TradeReport, NamesTellRowsApart) {
+  TradeTable t = table();
+  t.series[1] = t.series[0];
+  const std::string common = "engine/path=as-expert,solver=of-a-kind ";
+  for (const std::size_t k : {0, 1}) t.series[k].engine = common.substr(0, common.size() - 1);
+  t.series[0].integrator = "merson", t.series[1].integrator = "feldberg";
+  const std::string wide = trade_text(t, {.width = 130}, false),
+                    narrow = trade_text(t, {.width = 100}, false);
+  for (const char* name : {"merson", "feldberg"}) {
+    EXPECT_NE(wide.find(common + name), std::string::npos) << wide;
+    EXPECT_EQ(narrow.find(common + name), std::string::npos) << "no room beside what was observed";
+  }
+  for (const std::string& text : {wide, narrow}) {
+    std::istringstream lines(text);
+    std::string line;
+    while (std::getline(lines, line))
+      if (line.starts_with("engine/")) {
+        EXPECT_LE(display_width(line), text == wide ? 130 : 100) << line;
+      }
+  }
 }
 
 TEST(TradeReport, VariantWithIntegratorIsLabelledNormally) {
