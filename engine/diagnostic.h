@@ -36,6 +36,7 @@ enum class DiagnosticKind {
   joints_open,
   contacts_open,
   forces_inexact,
+  loads_undecided,
   impacts_inexact,
   interval_missed,
   meeting_not_searched,

@@ -330,6 +330,8 @@ void EventStepper::hold_spots(Time now, const std::vector<Spot>& touching) {
   }
   if (!support.exact)
     log_.note(DiagnosticKind::forces_inexact, now, {}, static_cast<double>(support.violation));
+  if (support.undecided > 0)
+    log_.note(DiagnosticKind::loads_undecided, now, {}, static_cast<double>(support.undecided));
   held_.clear();
   for (std::size_t i = 0; i < which.size(); ++i) {
     if (support.points[i].holding.grip == Grip::parts) continue;

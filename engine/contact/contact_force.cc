@@ -1,5 +1,6 @@
 #include "engine/contact/contact_force.h"
 
+#include "engine/contact/held_force.h"
 #include "engine/contact/response.h"
 
 #include <algorithm>
@@ -232,9 +233,11 @@ ContactForces find_contact_forces(std::span<const TouchPoint> touches, std::span
   a.problem.most_sweeps = 200;
   CoulombSolution solution = solve(a.problem);
   if (solution.exact) stick_where_still(a.problem, solution);
+  const Real undecided = solution.exact ? undecided_rate(a.problem, solution.hold, solution.force) : Real(0);
   ContactForces support = report(a, touches, solution.hold, solution.force);
   support.exact = solution.exact;
   support.violation = solution.violation;
+  support.undecided = undecided;
   support.operations = solution.operations;
   // What an even sharing would leave outside a cone is remembered as it was found.
   a.problem.start.resize(0);

@@ -40,6 +40,7 @@ struct ContactForces {
   std::vector<Row> rows;
   bool exact = true;
   Real violation = 0;           ///< Where it is not exact: how far accelerations are from the law [m/s^2].
+  Real undecided = 0;           ///< undecided_rate() of what was decided anew [m/s^2].
   std::int64_t operations = 0;  ///< Of CoulombSolution.
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cylon::engine {
 
@@ -66,6 +67,26 @@ struct LeastNormScratch {
   LeastNorm decomposition;
 };
 
+// The matrix of the equations: how each unknown answers at the row of each.
+void fill_system(const CoulombProblem& p, const std::vector<Unknown>& unknowns, MatrixX& system) {
+  const auto count = static_cast<Eigen::Index>(unknowns.size());
+  system.resize(count, count);
+  for (Eigen::Index i = 0; i < count; ++i)
+    for (Eigen::Index j = 0; j < count; ++j)
+      system(i, j) =
+          answer(p, unknowns[static_cast<std::size_t>(i)].row, unknowns[static_cast<std::size_t>(j)]);
+}
+
+// f += B x
+void add_unknowns(const std::vector<Unknown>& unknowns, const VectorX& x, VectorX& force) {
+  for (std::size_t j = 0; j < unknowns.size(); ++j) {
+    const Unknown& u = unknowns[j];
+    const Real own = x[static_cast<Eigen::Index>(j)];
+    force[u.row] += u.share * own;
+    if (u.rubs) force.segment<2>(u.row + 1) += own * u.rub;
+  }
+}
+
 // f = f' + B x with one equation per unknown; least |x| when the tangential unknowns of point i are measured in units of
 // share_i; f' is what the holds fix, and `start`, if there is one, with what they forbid left out.
 // `unique`: set to whether the equations leave one force only, whatever the shares.
@@ -79,24 +100,19 @@ VectorX least_norm(const CoulombProblem& p, const std::vector<Hold>& hold, const
   if (unique) *unique = count == 0;
   if (count == 0) return force;
   const bool departs = !force.isZero(0);
-  system.resize(count, count), wanted.resize(count);
+  fill_system(p, unknowns, system);
+  wanted.resize(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const Eigen::Index row = unknowns[static_cast<std::size_t>(i)].row;
     wanted[i] = -p.offset[row];
     if (departs) wanted[i] -= p.response.row(row).dot(force);
-    for (Eigen::Index j = 0; j < count; ++j)
-      system(i, j) = answer(p, row, unknowns[static_cast<std::size_t>(j)]);
   }
   decomposition.compute(system, dependent_pivot());
   VectorX x = decomposition.solve(wanted);
   if (unique) *unique = decomposition.rank() == count;
   left.noalias() = wanted - system * x;
   x += decomposition.solve(left);  // one refinement: rounding only is left
-  for (Eigen::Index j = 0; j < count; ++j) {
-    const Unknown& u = unknowns[static_cast<std::size_t>(j)];
-    force[u.row] += u.share * x[j];
-    if (u.rubs) force.segment<2>(u.row + 1) += x[j] * u.rub;
-  }
+  add_unknowns(unknowns, x, force);
   return force;
 }
 
@@ -132,6 +148,43 @@ void leave_to_normals(const CoulombProblem& p, const std::vector<Hold>& hold, st
 VectorX nearest_held_force(const CoulombProblem& p, const std::vector<Hold>& hold, const VectorX& start,
                            bool* unique) {
   return least_norm(p, hold, VectorX::Ones(static_cast<Eigen::Index>(hold.size())), start, unique);
+}
+
+// A force B v of the kernel, M v = 0, changes nothing that the holds keep, and may change how what slides goes on.  Each
+// unit vector, less what the equations see of it, is such a v; it is as long as the point that it relieves most allows.
+Real undecided_rate(const CoulombProblem& p, const std::vector<Hold>& hold, const VectorX& force) {
+  std::vector<Unknown> unknowns;
+  list_unknowns(p, hold, VectorX::Ones(static_cast<Eigen::Index>(hold.size())), unknowns);
+  const auto count = static_cast<Eigen::Index>(unknowns.size());
+  if (std::none_of(unknowns.begin(), unknowns.end(), [](const Unknown& u) { return u.rubs; })) return 0;
+  MatrixX system;
+  fill_system(p, unknowns, system);
+  const LeastNorm decomposition(system, dependent_pivot());
+  if (decomposition.rank() == count) return 0;
+  const Real rounding = std::sqrt(epsilon);  // of a part of the kernel that is none
+  Real most = 0;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    VectorX v = -decomposition.solve(system.col(k));
+    v[k] += 1;
+    VectorX other = VectorX::Zero(force.size());
+    add_unknowns(unknowns, v, other);
+    Real room = std::numeric_limits<Real>::infinity(), scale = 0;
+    for (std::size_t i = 0; i < hold.size(); ++i) {
+      const Eigen::Index n = first_row(i);
+      if (std::abs(other[n]) > rounding)
+        room = std::min(room, std::max<Real>(0, force[n]) / std::abs(other[n]));
+    }
+    if (!std::isfinite(room)) continue;
+    const VectorX rate = p.response * other;
+    for (std::size_t i = 0; i < hold.size(); ++i)
+      scale = std::max(scale, p.response(first_row(i), first_row(i)) * std::abs(other[first_row(i)]));
+    for (std::size_t i = 0; i < hold.size(); ++i) {
+      if (hold[i].grip != Grip::slides || is_dry(p, i)) continue;
+      const Real change = rate.segment<2>(first_row(i) + 1).norm();
+      if (change > rounding * scale) most = std::max(most, room * change);
+    }
+  }
+  return most;
 }
 
 VectorX held_force(const CoulombProblem& p, const std::vector<Hold>& decided) {

@@ -26,4 +26,9 @@ inline Real dependent_pivot() { return std::pow(epsilon, Real(0.7)); }
 VectorX nearest_held_force(const CoulombProblem&, const std::vector<Hold>&, const VectorX& start,
                            bool* unique);
 
+/// How far the loads leave the motion open: where the holds allow several forces, the most by which the rate of slip of a
+/// point that slides changes between the force and another that presses at all points [unit of u].  0 where all
+/// give one motion, as where all that touches sticks, or slides one way.
+Real undecided_rate(const CoulombProblem&, const std::vector<Hold>&, const VectorX& force);
+
 }  // namespace cylon::engine

@@ -28,8 +28,9 @@ constexpr std::array kinds = {
         "small_armature", left_out,
         "a scene has rotors on hinges and sliders; this one is on a ball or moves a free body, and is at "
         "most a tenth of what that moves"},
-    LossKind{"plugin", left_out,
-             "a scene holds no code of another engine; this one is not known to move bodies by itself"},
+    LossKind{
+        "plugin", left_out,
+        "a scene holds no code of another engine; this one shows, measures, records, or waits for a command"},
     LossKind{"mocap", left_out, "the body stays where it is: nothing in a scene leads it"},
     LossKind{"effort", left_out, "limits of effort and speed bound a drive, and nothing drives the joint"},
     LossKind{"transmission", left_out, "gears and controllers act when they are commanded"},
@@ -79,7 +80,7 @@ constexpr std::array kinds = {
     LossKind{"wind", refused, "a scene has no wind"},
     LossKind{"soft_body", refused, "bodies of a scene are rigid"},
     LossKind{"plugin_force", refused,
-             "a scene holds no code of another engine, and this one moves bodies by itself"},
+             "a scene holds no code of another engine, and this one is not known to leave bodies alone"},
     LossKind{"actor", refused, "a scene has no bodies that follow a script"},
     LossKind{"surface_velocity", refused, "a scene has no surface that conveys"},
     LossKind{"unread", refused, "it changes the motion, and this import does not read it"},

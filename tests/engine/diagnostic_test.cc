@@ -103,6 +103,13 @@ const std::vector<Provoked> provoked = {
     {K::drift_open, 1, [] { return said(on_rod(30), with("velocity-verlet", 1), 1); }},
     {K::joints_open, 2, [] { return said(as_constraints(linked_bodies(true)), with("rk4", 1), 2); }},
     {K::contacts_open, 0.02, [] { return said(sliding_capsules(), by_events("dop853", 5e-3), 4); }},
+    {K::loads_undecided, 0.02,
+     [] {
+       Model model = floor({0, Real(0.3)});
+       add_box(model, 1, Vector3::Constant(Real(0.5)), {0, Real(0.5), 0}, Quaternion::Identity(), {2, 0, 0},
+               {0, 3, 0});
+       return said(model, 0.01, 2);
+     }},
     {K::impacts_inexact, 0.8,
      [] {
        return said_by_events(tetrahedron_on_box({2, 1, -1}, Impacts::sequential), 0.002, 400);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace cylon::imports {
 namespace {
@@ -20,12 +21,18 @@ constexpr Presence presences[] = {
     {"flex", "soft_body"},    {"plugin", "plugin_force"},
 };
 
-// What a tendon does by itself, as a kind of loss.
-const char* role_of(const Compiled& m, int tendon) {
+// What a tendon does by itself, as a kind of loss, and why.  Its limit acts from `margin` before an end of its range.
+std::pair<const char*, const char*> role_of(const Compiled& m, int tendon) {
   for (const char* force : {"tendon_stiffness", "tendon_stiffnesspoly", "tendon_damping",
                             "tendon_dampingpoly", "tendon_frictionloss", "tendon_armature"})
-    if (m.any(force, tendon, m.size("ntendon"))) return "tendon_force";
-  return m.integer("tendon_limited", tendon) != 0 ? "tendon_limit" : "tendon";
+    if (m.any(force, tendon, m.size("ntendon"))) return {"tendon_force", ""};
+  if (m.integer("tendon_limited", tendon) == 0 || m.disabled("limit") || m.disabled("constraint"))
+    return {"tendon", ""};
+  const double length = m.start("ten_length", tendon), margin = m.number("tendon_margin", tendon);
+  const bool acts = length < m.number("tendon_range", 2 * tendon) + margin ||
+                    length > m.number("tendon_range", 2 * tendon + 1) - margin;
+  if (acts) return {"tendon_force", "its limit acts at the start"};
+  return {"tendon_limit", ""};
 }
 
 // The share of gravity that is compensated at a body.  MuJoCo skips it with the other passive forces where there is
@@ -97,7 +104,10 @@ void add_losses(const Compiled& m, const std::string& keyframe, foreign::Model& 
   for (const auto& [kind, what] : presences)
     for (int i = 0; i < m.count(kind); ++i)
       if (!is_used(what, kind, i)) lose(what, m.place(kind, i), kind);
-  for (int i = 0; i < m.size("ntendon"); ++i) lose(role_of(m, i), m.place("tendon", i));
+  for (int i = 0; i < m.size("ntendon"); ++i) {
+    const auto [what, why] = role_of(m, i);
+    lose(what, m.place("tendon", i), why);
+  }
   for (const std::string& picture : m.absent())
     lose("presentation", {fmt::format("picture '{}'", picture), "", 0}, "it is not there");
   for (const std::string& text : m.warnings())

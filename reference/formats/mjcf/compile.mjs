@@ -137,7 +137,7 @@ function told(M, model, data) {
     velocities.push(...list(room.GetView()));
   }
   const start = {velocities};
-  for (const name of ['qpos', 'ctrl', 'act', 'xpos', 'xquat', 'xipos', 'xanchor', 'xaxis']) start[name] = list(data[name]);
+  for (const name of ['qpos', 'ctrl', 'act', 'xpos', 'xquat', 'xipos', 'xanchor', 'xaxis', 'ten_length']) start[name] = list(data[name]);
   return {
     library: `MuJoCo ${M.mj_versionString()}`, version: M.mj_version(), sizes, names: names_of(model), arrays,
     option: {timestep: opt.timestep, gravity: list(opt.gravity), density: opt.density, viscosity: opt.viscosity, disabled, disabled_groups: opt.disableactuator,
@@ -164,6 +164,7 @@ async function main([file, key]) {
   M.mj_kinematics(model, data);
   M.mj_comPos(model, data);
   M.mj_comVel(model, data);
+  M.mj_tendon(model, data);
   return JSON.stringify({...told(M, model, data), absent, warnings});
 }
 

@@ -139,6 +139,7 @@ int main(int argc, char** argv) {
   mj_kinematics(m, d);
   mj_comPos(m, d);
   mj_comVel(m, d);
+  mj_tendon(m, d);
   Json velocities = Json::array();  // angular, then of the centre of mass; world axes
   for (int i = 0; i < m->nbody; ++i) {
     std::array<mjtNum, 6> v{};
@@ -168,6 +169,7 @@ int main(int argc, char** argv) {
         {"xipos", list(d->xipos, count(m->nbody, 3))},
         {"xanchor", list(d->xanchor, count(m->njnt, 3))},
         {"xaxis", list(d->xaxis, count(m->njnt, 3))},
+        {"ten_length", list(d->ten_length, count(m->ntendon, 1))},
         {"velocities", velocities}}},
   };
   json["warnings"] = warnings();

@@ -2,6 +2,7 @@
 // that the format does not know, and numbers with something behind them, of which the library takes the start ("0,5" as 0).
 #include "reference/formats/sdformat/reader.h"
 
+#include "reference/formats/resources/gazebo.h"
 #include "reference/formats/resources/resources.h"
 
 #include <algorithm>
@@ -69,14 +70,6 @@ constexpr std::array rows = {
 constexpr std::array<std::string_view, 10> closed = {"plugin", "visual",   "sensor", "light", "gui",
                                                      "scene",  "material", "state",  "actor", "population"};
 
-// What moves bodies wherever it stands: of a newer format, or in a wrong place.
-constexpr std::array<std::string_view, 25> moving = {
-    "model",           "link",     "joint",     "inertial", "collision", "include",
-    "actor",           "mass",     "inertia",   "pose",     "static",    "gravity",
-    "physics",         "wind",     "axis",      "axis2",    "limit",     "dynamics",
-    "damping",         "friction", "kinematic", "surface",  "geometry",  "spring_stiffness",
-    "spring_reference"};
-
 bool is_numeric(const std::string& type) {
   constexpr std::array<std::string_view, 10> types = {"double",     "float",   "int",  "unsigned int",
                                                       "vector2d",   "vector3", "pose", "vector2i",
@@ -121,9 +114,9 @@ void SdfReader::check_elements(const sdf::ElementPtr& element, int line) {
         rows, [&](const Row& r) { return r.parent == element->GetName() && r.name == name; });
     const bool is_known = element->HasElementDescription(name);
     if (row != rows.end() ? row->holds(*child, windy_) : !is_known)
-      lose(row != rows.end()                                 ? row->what
-           : std::ranges::find(moving, name) != moving.end() ? "unread"
-                                                             : "custom",
+      lose(row != rows.end()                                                   ? row->what
+           : std::ranges::find(moving_elements, name) != moving_elements.end() ? "unread"
+                                                                               : "custom",
            where, "<" + name + ">");
     if (is_known && std::ranges::find(closed, name) == closed.end()) check_elements(child, line);
   }

@@ -1,6 +1,6 @@
 #include "reference/formats/sdformat/reader.h"
 
-#include "reference/formats/resources/plugins.h"
+#include "reference/formats/resources/gazebo.h"
 #include "reference/formats/resources/resources.h"
 
 #include <filesystem>
@@ -126,7 +126,7 @@ void SdfReader::read_plugins(const sdf::ElementPtr& element) {
   for (sdf::ElementPtr plugin = element->GetElement("plugin"); plugin;
        plugin = plugin->GetNextElement("plugin")) {
     const auto name = plugin->Get<std::string>("name"), library = plugin->Get<std::string>("filename");
-    lose(moves_bodies(name + " " + library) ? "plugin_force" : "plugin", place("plugin", name, plugin));
+    lose(leaves_bodies_alone(library, name) ? "plugin" : "plugin_force", place("plugin", name, plugin));
   }
 }
 

@@ -1,6 +1,6 @@
 #include "reference/formats/urdf/tags.h"
 
-#include "reference/formats/resources/plugins.h"
+#include "reference/formats/resources/gazebo.h"
 #include "reference/formats/resources/resources.h"
 
 #include <tinyxml.h>
@@ -48,9 +48,7 @@ constexpr std::array rows = {
     Row{"geometry", "cylinder", ""},
     Row{"geometry", "mesh", ""},
     Row{"gazebo", "sensor", "sensor"},
-    // What Gazebo takes from there into the motion.
-    Row{"gazebo", "static", "unread"},
-    Row{"gazebo", "gravity", "unread"},
+    // What Gazebo takes from there into the motion, beside moving_elements.
     Row{"gazebo", "turnGravityOff", "unread"},
     Row{"gazebo", "dampingFactor", "unread"},
     Row{"gazebo", "springStiffness", "unread"},
@@ -123,9 +121,18 @@ class Walk {
     if (row == known.end()) return;
     for (const TiXmlAttribute* a = element.FirstAttribute(); a; a = a->Next()) {
       const std::string_view name = a->Name();
-      if (std::ranges::find(row->names, name) == row->names.end() && !name.starts_with("xmlns"))
-        lose("custom", element, "attribute '" + std::string(name) + "'" + of);
+      if (std::ranges::find(row->names, name) != row->names.end() || name.starts_with("xmlns")) continue;
+      // quat_xyzw is of URDF 1.1, and an orientation.
+      lose(name == "quat_xyzw" ? "unread" : "custom", element, "attribute '" + std::string(name) + "'" + of);
     }
+  }
+
+  // "Defaults to 0 if not specified": a hinge with an effort alone does not turn.
+  void check_bounds(const TiXmlElement& limit, const TiXmlElement& joint, const std::string& of) {
+    const char* type = joint.Attribute("type");
+    if (!type || (std::string_view(type) != "revolute" && std::string_view(type) != "prismatic")) return;
+    for (const char* bound : {"lower", "upper"})
+      if (!limit.Attribute(bound)) lose("assumed", limit, std::string(bound) + " = 0" + of);
   }
 
   void lose(const char* what, const TiXmlElement& element, std::string detail) {
@@ -137,9 +144,9 @@ class Walk {
     const std::string of = in == "robot" ? "" : " of " + shown(parent);
     if (name == "gazebo") return below(element);
     if (name == "plugin") {
-      const char* library = element.Attribute("filename");
-      const bool moves = moves_bodies(shown(element) + " " + (library ? library : ""));
-      return lose(moves ? "plugin_force" : "plugin", element, "");
+      const char *library = element.Attribute("filename"), *own = element.Attribute("name");
+      const bool alone = leaves_bodies_alone(library ? library : "", own ? own : "");
+      return lose(alone ? "plugin" : "plugin_force", element, "");
     }
     for (const Row& row : rows) {
       if (row.parent != in || row.name != name) continue;
@@ -148,10 +155,12 @@ class Walk {
       if (name == "inertial" && parent.Attribute("name"))
         tags_.inertials[parent.Attribute("name")] = element.Row();
       if (!*row.what) check_attributes(element, of);
+      if (name == "limit") check_bounds(element, parent, of);
       if (std::ranges::find(open, name) != open.end()) below(element);
       return;
     }
-    lose("custom", element, "<" + name + ">" + of);
+    const bool moves = in == "gazebo" && std::ranges::find(moving_elements, name) != moving_elements.end();
+    lose(moves ? "unread" : "custom", element, "<" + name + ">" + of);
   }
 
   Tags& tags_;

@@ -107,6 +107,12 @@ INSTANTIATE_TEST_SUITE_P(
             R"(<worldbody><body><joint name="j" type="slide" axis="0 0 1"/>)" BALL
             R"(<tendon><fixed name="t" stiffness="0 5" springlength="0.3"><joint joint="j" coef="1"/></fixed></tendon>)",
             "tendon 't': tendon_force"},
+        // 0.5 m long, and at most 0.4.
+        Silent{
+            "TendonLimitAtTheStart",
+            R"(<worldbody><site name="s"/><body pos="0 0 .5"><joint name="j" type="slide" axis="0 0 1"/><site name="e"/>)" BALL
+            R"(<tendon><spatial name="t" range="0 .4"><site site="s"/><site site="e"/></spatial></tendon>)",
+            "tendon 't': tendon_force (its limit acts at the start)"},
         Silent{"MotorCurvedDamper", HINGE R"(<actuator><motor name="m" joint="j" damping="0 3"/></actuator>)",
                "actuator 'm': joint_damping (not linear)"},
         Silent{"ActivationRange",

@@ -149,6 +149,15 @@ INSTANTIATE_TEST_SUITE_P(
         Silent{"LinkOfAWorld", model(link("a")) + link("b"), "<link> of world 'w': unread (<link>)", true},
         Silent{"DampingOfAJoint", hinge("", "<damping>3</damping>"),
                "<damping> of joint 'j': unread (<damping>)", true},
+        // A velocity that the plugin states, or holds at zero.
+        Silent{"VelocityControl",
+               model(link("a") + "<plugin filename='gz-sim-velocity-control-system' name='imu'/>"),
+               "plugin 'imu': plugin_force", true},
+        Silent{"Wheels", model(link("a") + "<plugin filename='gz-sim' name='gz::sim::systems::DiffDrive'/>"),
+               "plugin 'gz::sim::systems::DiffDrive': plugin_force", true},
+        Silent{"Broadcaster",
+               model(link("a") + "<plugin filename='gz-sim' name='gz::sim::SceneBroadcaster'/>"),
+               "plugin 'gz::sim::SceneBroadcaster': plugin", false},
         Silent{"CategoryBits", model(link("a", ball("<category_bitmask>2</category_bitmask>"))),
                "<category_bitmask> of contact: unread", true}),
     [](const auto& row) { return std::string(row.param.name); });

@@ -105,6 +105,26 @@ INSTANTIATE_TEST_SUITE_P(
                "<springStiffness>: unread (<springStiffness> of gazebo of 'j')", true},
         Silent{"GazeboPlugin", hinge + "<gazebo><plugin name='p' filename='libwind.so'/></gazebo>",
                "plugin 'p': plugin_force", true},
+        // Elements that Gazebo copies into the model passed as unknown.
+        Silent{"GazeboJoint", hinge + "<gazebo><joint name='k' type='fixed'/></gazebo>",
+               "joint 'k': unread (<joint> of <gazebo>)", true},
+        Silent{"GazeboKinematic", hinge + "<gazebo reference='l'><kinematic>1</kinematic></gazebo>",
+               "<kinematic>: unread (<kinematic> of gazebo of 'l')", true},
+        Silent{"GazeboDrag", hinge + "<gazebo reference='l'><velocity_decay/></gazebo>",
+               "<velocity_decay>: unread (<velocity_decay> of gazebo of 'l')", true},
+        // A drive or a coupling of joints by a plugin passed as harmless.
+        Silent{"GazeboMimicPlugin",
+               hinge +
+                   "<gazebo><plugin name='label' filename='libroboticsgroup_gazebo_mimic_joint_plugin.so'/>"
+                   "</gazebo>",
+               "plugin 'label': plugin_force", true},
+        Silent{"Quaternion", two + joint("continuous", "<origin xyz='0 0 1' quat_xyzw='1 0 0 0'/>"),
+               "<origin>: unread (attribute 'quat_xyzw' of joint 'j')", true},
+        // Such a hinge does not turn.
+        Silent{"NoBounds", two + joint("revolute", "<limit effort='3' velocity='3'/>"),
+               "<limit>: assumed (lower = 0 of joint 'j')", false},
+        Silent{"NoUpperBound", two + joint("prismatic", "<limit lower='-1' effort='3' velocity='3'/>"),
+               "<limit>: assumed (upper = 0 of joint 'j')", false},
         Silent{"GazeboOtherPlugin", hinge + "<gazebo><plugin name='p' filename='libimu.so'/></gazebo>",
                "plugin 'p': plugin", false}),
     [](const auto& row) { return std::string(row.param.name); });
