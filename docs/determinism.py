@@ -9,8 +9,9 @@ that column stays as the page has it).
 The load message of `cylon simulate` is recorded once and sent again.  A cell says in how many scenes all states had the
 bits of the first run, of those that the engine takes, and names the others.
 
-The column of threads is of an engine that has them: build/release/bits and bits-f32 run generated piles and fields of free
-bodies on 1, 2 and 4 threads, and the cell counts those whose last states have one hash.
+The column of threads: build/release/bits and bits-f32 run generated piles and fields of free bodies of the in-house engine on 1,
+2 and 4 threads, and the cell counts those whose last states have one hash.  Workers of other engines are asked for 1, 2 and
+4 by the environment (OMP_NUM_THREADS, which OpenBLAS reads too), on the twelve scenes and one with many rods.
 """
 import collections
 import argparse
@@ -31,7 +32,9 @@ SCENES = ["projectile", "heavy_top", "dzhanibekov", "spring_orbit", "double_pend
 STEPS = 1000
 MASK = "glibc.cpu.hwcaps=-AVX512F,-AVX2,-AVX,-FMA,-FMA4,-BMI2,-ERMS,-SSE4_2"
 COLUMNS = ["same process", "new process", "after another scene", "older processor", "other build"]
-# Engines with threads: the tool that runs their models on 1, 2 and 4.
+# Beside SCENES, of the column of threads: a net of rods, whose large matrices a library divides among threads.
+DIVIDED = "net"
+# Engines with threads of their own: the tool that runs their models on 1, 2 and 4.
 THREADS = {"cylon-worker-in-house": "bits", "cylon-worker-in-house-f32": "bits-f32"}
 
 
@@ -152,10 +155,18 @@ def compare(folder, other, worker, loads):
     return same
 
 
-def threads(folder, worker):
-    """Models of one hash on every number of threads."""
+def threads(folder, worker, loads):
+    """Models of one hash on every number of threads, and of other engines scenes."""
     if worker not in THREADS:
-        return "one thread"
+        same = {}
+        for scene, load in zip([*SCENES, DIVIDED], loads):
+            states = []
+            for number in ("1", "2", "4"):
+                with Worker([str(folder / worker)], OMP_NUM_THREADS=number) as one:
+                    states.append(one.states(load))
+            if states[0] is not None:
+                same[scene] = states[0] == states[1] == states[2]
+        return cell(same)
     hashes = collections.defaultdict(set)
     for line in subprocess.run([folder / THREADS[worker]], check=True, capture_output=True, text=True).stdout.splitlines():
         model, _, bits = line.split()
@@ -178,15 +189,16 @@ def measured_before(column):
 
 def table(cylon, other):
     with tempfile.TemporaryDirectory() as folder:
-        loads = [load_message(cylon, scene, pathlib.Path(folder)) for scene in SCENES]
+        loads = [load_message(cylon, scene, pathlib.Path(folder)) for scene in [*SCENES, DIVIDED]]
     kept = {} if other else measured_before(COLUMNS[-1])
     lines = ["| engine | " + " | ".join(COLUMNS) + " | 1, 2 and 4 threads |", "|---|" + "---|" * (len(COLUMNS) + 1)]
     folder = pathlib.Path(cylon).resolve().parent
     for name, worker, path in engines():
         if not (folder / worker).exists():  # an optional engine that is not here
             continue
-        rows = compare(folder, other, worker, [{**load, "path": path} for load in loads])
-        cells = [cell(rows[c]) for c in COLUMNS] + [threads(folder, worker)]
+        mine = [{**load, "path": path} for load in loads]
+        rows = compare(folder, other, worker, mine[:len(SCENES)])
+        cells = [cell(rows[c]) for c in COLUMNS] + [threads(folder, worker, mine)]
         if not other:
             cells[-2] = kept.get(name, cells[-2])
         lines.append(f"| {name} | " + " | ".join(cells) + " |")

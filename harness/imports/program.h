@@ -2,15 +2,18 @@
 #pragma once
 
 #include "harness/imports/imports.h"
+#include "harness/imports/xml_check.h"
 
 #include <nlohmann/json.hpp>
 
 namespace cylon::imports {
 
 /// Of one format (harness/scenario/foreign.h): the program, the Debian package of its library, the element that is a body,
-/// and a program with a newer library, which goes first where it is here.
+/// how deep its elements may be inside each other, and a program with a newer library, which goes first where it is here.
 struct Format {
-  std::string_view name, program, package, body, newer = {};
+  std::string_view name, program, package, body;
+  int deepest = deepest_xml;
+  std::string_view newer = {};
 };
 
 /// The program of the two that reads the format here; a path that does not exist where none does.

@@ -127,14 +127,15 @@ constexpr Single singles[] = {
     {"joint", "parent"},  {"joint", "child"},        {"joint", "origin"},     {"joint", "pose"},
     {"joint", "axis"},    {"joint", "axis2"},        {"joint", "limit"},      {"joint", "dynamics"},
     {"joint", "mimic"},   {"axis", "xyz"},           {"axis", "limit"},       {"axis", "dynamics"},
-    {"axis2", "xyz"},     {"axis2", "limit"},        {"axis2", "dynamics"},
+    {"axis2", "xyz"},     {"axis2", "limit"},        {"axis2", "dynamics"},   {"geometry", "shape"},
 };
 // What is inside these is nobody's link or joint.
 constexpr std::string_view others[] = {"gazebo", "plugin", "transmission", "state"};
 
 }  // namespace
 
-XmlFacts require_small_xml(std::string_view text, const std::string& file, std::string_view body) {
+XmlFacts require_small_xml(std::string_view text, const std::string& file, std::string_view body,
+                           int deepest) {
   XmlFacts facts;
   std::vector<std::string_view> open;
   int roots = 0, apart = 0;  // apart: elements around this one in which a body is none of the model
@@ -153,8 +154,8 @@ XmlFacts require_small_xml(std::string_view text, const std::string& file, std::
           facts.line = place.line, facts.column = place.column;
         }
         open.push_back(name);
-        if (open.size() > std::size_t{deepest_xml})
-          throw error_at(text, at, file, fmt::format("an element nested more than {} deep", deepest_xml));
+        if (open.size() > static_cast<std::size_t>(deepest))
+          throw error_at(text, at, file, fmt::format("an element nested more than {} deep", deepest));
         apart += is_apart(name) ? 1 : 0;
         if (apart == 0 && name == body && ++facts.bodies > most_bodies)
           throw error_at(text, at, file,
@@ -198,12 +199,19 @@ void require_single(std::string_view text, const std::string& file) {
       [&](std::size_t at, std::string_view tag) {
         const std::string_view name = name_at(text, at + 1);
         apart += is_other(name) ? 1 : 0;
-        const auto is_this = [&](const Single& s) { return s.whole == open.back().name && s.part == name; };
+        // The shape of a collision has many names; what else a geometry shows touches nothing.
+        const bool is_shape =
+            open.size() > 1 && open.back().name == "geometry" && open[open.size() - 2].name == "collision";
+        const std::string_view part = is_shape ? "shape" : name;
+        const auto is_this = [&](const Single& s) { return s.whole == open.back().name && s.part == part; };
         if (!open.empty() && apart == 0 && std::ranges::any_of(singles, is_this)) {
           Open& whole = open.back();
-          if (std::ranges::find(whole.parts, name) != whole.parts.end())
-            throw error_at(text, at, file, fmt::format("{}: a second <{}>", shown(whole.tag), name));
-          whole.parts.push_back(name);
+          if (std::ranges::find(whole.parts, part) != whole.parts.end())
+            throw error_at(
+                text, at, file,
+                fmt::format("{}: a second {}", shown(whole.tag),
+                            is_shape ? fmt::format("shape, <{}>", name) : fmt::format("<{}>", name)));
+          whole.parts.push_back(part);
         }
         open.push_back({name, tag, {}});
       },

@@ -9,8 +9,8 @@
 
 namespace cylon::imports {
 
-/// Elements inside each other; in MJCF each body of a chain is in the one before.  TinyXML-2, which reads MJCF and SDFormat,
-/// takes as many; urdfdom has no limit.
+/// Elements inside each other.  TinyXML-2, which reads SDFormat, takes as many; urdfdom has no limit.  In MJCF each body
+/// of a chain is in the one before, and the limit is lower (program.cc).
 inline constexpr int deepest_xml = 500;
 
 /// Bodies of one model.  The limits of time and memory may end the library before: MuJoCo took 36 s for 10 000 free bodies,
@@ -23,10 +23,11 @@ struct XmlFacts {
   std::size_t bodies = 0;         ///< Elements of the name `body`, but for those of a <state> or a <plugin>.
 };
 
-/// Throws core::InputError at the first element that is deeper, at the first `body` (the name of the format's elements)
+/// Throws core::InputError at the first element that is deeper than `deepest`, at the first `body` (the name of the format's elements)
 /// beyond most_bodies and at a second root.  Comments, CDATA, instructions and attributes hold no elements.  Files that this
 /// one includes are not looked at.
-XmlFacts require_small_xml(std::string_view text, const std::string& file, std::string_view body);
+XmlFacts require_small_xml(std::string_view text, const std::string& file, std::string_view body,
+                           int deepest = deepest_xml);
 
 /// Throws core::InputError at the first attribute that has NaN for a number: MuJoCo takes it for one that is not given.
 void require_no_nan(std::string_view text, const std::string& file);

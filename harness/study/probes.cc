@@ -152,8 +152,9 @@ Finding gyroscopic(const Runner& run, const Damping& damped) {
   if (turned < 1e-5) return {"off", fmt::format("the angular velocity turns by at most {:.1g} rad", turned)};
   if (std::abs(energy[0]) < 1e-5 && spin[0] < 1e-5) {
     const double slope = std::log2(spin[0] / spin[1]);
-    return {spin[0] < 1e-9 || !(slope > 0.5) ? "on, exact within rounding"
-                                             : fmt::format("on, order {:.0f}", slope),
+    constexpr double rounding = 1e-12;  // of 1000 steps in double precision
+    return {spin[0] < rounding || !(slope > 0.5) ? "on, exact within rounding"
+                                                 : fmt::format("on, order {:.0f}", slope),
             evidence};
   }
   const double slope = std::log2(std::abs(energy[0] / energy[1]));

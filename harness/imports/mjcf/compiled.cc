@@ -20,13 +20,13 @@ bool Compiled::disabled_group(int group) const {
 std::optional<double> Compiled::friction_of_all() const {
   const auto contact = override_of_contacts().find("friction");
   if (contact == override_of_contacts().end()) return std::nullopt;
-  return contact->at(0).get<double>();
+  return finite(contact->at(0), "option: o_friction");
 }
 
 std::optional<double> Compiled::margin_of_all() const {
   const auto contact = override_of_contacts().find("margin");
   if (contact == override_of_contacts().end()) return std::nullopt;
-  return contact->get<double>();
+  return finite(*contact, "option: o_margin");
 }
 
 bool Compiled::is_override_anisotropic() const {

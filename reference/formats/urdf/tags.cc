@@ -189,8 +189,13 @@ void require_tree(const std::string& file) {
     return link ? link : "";
   };
   for (const TiXmlElement* joint = document.RootElement()->FirstChildElement("joint"); joint;
-       joint = joint->NextSiblingElement("joint"))
-    up.try_emplace(link_of(*joint, "child"), Up{link_of(*joint, "parent"), joint});
+       joint = joint->NextSiblingElement("joint")) {
+    const std::string child = link_of(*joint, "child");
+    const auto [first, is_new] = up.try_emplace(child, Up{link_of(*joint, "parent"), joint});
+    if (!is_new && !child.empty())  // urdfdom would make two links of it, and lose the first joint
+      throw Refused("line " + std::to_string(joint->Row()) + ": " + shown(*joint) + ": link '" + child +
+                    "' is the child of " + shown(*first->second.joint) + " already");
+  }
   std::set<std::string> rooted;  // links that are known not to hang on themselves
   for (const auto& [first, ignored] : up) {
     std::set<std::string> below;

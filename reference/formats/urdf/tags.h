@@ -17,7 +17,8 @@ struct Tags {
 /// Of a file that urdfdom takes.
 Tags tags_of(const std::string& file);
 
-/// Throws Refused, with line and name, at a joint whose link hangs on itself: urdfdom finds no root then and names none.
+/// Throws Refused, with line and name, at a joint whose link hangs on itself, where urdfdom finds no root and names none,
+/// or is the child of another joint, where it makes two links of one.
 void require_tree(const std::string& file);
 
 }  // namespace cylon::formats

@@ -88,6 +88,8 @@ std::vector<Setting> of_the_scene() {
       {"setFixedStepSize", "dt, without error control", "steps by error control",
        "one step of the run is one step of Simbody, to the same time"},
       {"joints", "a tree", "as modelled", "Free, Ball, Pin and Weld; what closes a loop is a constraint"},
+      {"openblas_set_num_threads", "1", "the processors of the machine",
+       "the last bits of loops and rods would depend on the machine"},
       {applied::applied_forces, "Force::Custom, at each evaluation of the acceleration", "none",
        "the laws of the scene, so that an integrator keeps its order; a mass that changes is constant during "
        "a "

@@ -1,5 +1,6 @@
 #include "reference/simulators/simbody/simbody_world.h"
 
+#include "reference/applied/blas_threads.h"
 #include "reference/applied/forces.h"
 
 #include <type_traits>
@@ -56,6 +57,7 @@ class Law : public SimTK::Force::Custom::Implementation {
 
 SimbodyWorld::SimbodyWorld(const Scene& scene, const applied::Forest& forest, SimbodyLaw law)
     : indices_(scene.bodies.size(), SimTK::GroundIndex) {
+  applied::use_one_blas_thread();
   for (const int root : forest.roots) hang(scene, forest, root);
   if (const core::Vector3 gravity = core::gravity(scene); !gravity.isZero(0)) {
     SimTK::Force::Gravity falls(forces_, matter_, to_simbody(gravity));

@@ -351,6 +351,26 @@ TEST(LeaveOut, TakesARefusalForALoss) {
 }
 
 // Deeper than any stack of a parser that recurses, and larger than a model may be: an error, no crash and no hang.
+// From some 125 bodies on MuJoCo 3 in WebAssembly aborted, or went on with memory that its stack had overwritten.
+TEST(Chain, IsAsDeepAsTheStackOfMujocoTakes) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "chain.xml";
+  REQUIRE_LIBRARY(file);
+  const auto chain = [&](int bodies) {
+    std::ofstream text(file);
+    text << "<mujoco><worldbody>";
+    for (int i = 0; i < bodies; ++i)
+      text << "<body pos='0 0 1'><joint axis='1 0 0'/><geom type='sphere' size='.1'/>";
+    for (int i = 0; i < bodies; ++i) text << "</body>";
+    text << "</worldbody></mujoco>";
+  };
+  chain(90);
+  const Imported imported = import_file(file, {}, programs);
+  EXPECT_EQ(scenario::parse(imported.toml, "chain.toml").scene.bodies.back().initial.position.y(), 90);
+  chain(140);
+  EXPECT_NE(refusal(file).find("an element nested more than 110 deep"), std::string::npos) << refusal(file);
+}
+
 TEST(Hostile, FilesEndWithAnError) {
   const TemporaryFolder folder;
   const auto nested = [](const char* open, const char* close, int depth) {

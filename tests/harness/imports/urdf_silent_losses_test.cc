@@ -92,6 +92,11 @@ INSTANTIATE_TEST_SUITE_P(
                two + joint("continuous") +
                    "<joint name='k' type='continuous'><parent link='l'/><child link='base'/></joint>",
                "line 5: joint 'k': link 'base' hangs on itself, through link 'l'", true},
+        // The link was imported twice, and the first joint was lost.
+        Silent{"TwoParents",
+               two + link("m", "3") + joint("continuous") +
+                   "<joint name='k' type='fixed'><parent link='m'/><child link='l'/></joint>",
+               "joint 'k': link 'l' is the child of joint 'j' already", true},
         Silent{"Transmission", hinge + "<transmission name='t'><type>simple</type></transmission>",
                "urdf:5: transmission 't': transmission", false},
         Silent{"Unknown", hinge + "<bogus/>", "urdf:5: <bogus>: custom (<bogus>)", false},

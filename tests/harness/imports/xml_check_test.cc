@@ -99,8 +99,11 @@ TEST(XmlSecondParts, AreRefusedWithTheirWhole) {
             "a.urdf:1:54: joint 'a': a second <limit>");
   EXPECT_EQ(refused("<joint><axis><xyz>1 0 0</xyz><xyz>0 1 0</xyz></axis></joint>"),
             "a.urdf:1:30: <axis>: a second <xyz>");
+  EXPECT_EQ(refused("<collision><geometry><box/><sphere/></geometry></collision>"),
+            "a.urdf:1:28: <geometry>: a second shape, <sphere>");
   for (const char* text :
        {"<robot><link><inertial/></link><link><inertial/></link></robot>",
+        "<visual><geometry><box/><sphere/></geometry></visual>",
         "<link><visual/><visual/><collision/><collision/></link>", "<joint><!-- <limit/> --><limit/></joint>",
         "<gazebo><link><inertial/><inertial/></link></gazebo>",
         "<joint><axis><limit/></axis><axis2><limit/></axis2></joint>"})

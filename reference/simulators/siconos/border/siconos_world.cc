@@ -1,13 +1,11 @@
 #include "reference/simulators/siconos/border/siconos_world.h"
 
+#include "reference/applied/blas_threads.h"
 #include "reference/simulators/siconos/border/siconos_contact.h"
 
 #include <algorithm>
 #include <limits>
 #include <utility>
-
-// Of the BLAS below Siconos, where that is OpenBLAS.
-extern "C" void openblas_set_num_threads(int) __attribute__((weak));
 
 namespace cylon::simulators::siconos_border {
 namespace {
@@ -94,8 +92,7 @@ struct World::Parts {
 
 World::World(const std::vector<Body>& bodies, const std::vector<Contact>& contacts, const Settings& settings)
     : parts_(std::make_unique<Parts>()) {
-  // Its threads wait for each other over matrices of a few rows.
-  if (openblas_set_num_threads) openblas_set_num_threads(1);
+  applied::use_one_blas_thread();
   for (const Body& body : bodies) parts_->add(body);
   // One problem has contacts of one kind alone.
   const bool rough = std::any_of(contacts.begin(), contacts.end(),
