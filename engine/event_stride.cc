@@ -1,6 +1,7 @@
 // EventStepper where following events one by one does not come to an end: a short time in one go, by impulses.
 #include "engine/contact/response.h"
 #include "engine/event_stepper.h"
+#include "engine/joint.h"
 
 #include <algorithm>
 #include <cmath>

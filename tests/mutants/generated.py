@@ -61,6 +61,8 @@ def write_sources(folder, changes):
     """The engine's sources with a switch at each changed statement."""
     by_file = {}
     for index, change in enumerate(changes, 1):
+        if change[2] == change[3]:  # dropped; a switch would not do in a constant expression
+            continue
         by_file.setdefault(change[0], {}).setdefault(change[1], []).append((index, change))
     for path in sorted((root / "engine").rglob("*.cc")):
         lines = path.read_text().splitlines()

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <iterator>
 #include <regex>
 #include <sstream>
 #include <string_view>
@@ -114,9 +115,9 @@ void SdfReader::check_elements(const sdf::ElementPtr& element, int line) {
         rows, [&](const Row& r) { return r.parent == element->GetName() && r.name == name; });
     const bool is_known = element->HasElementDescription(name);
     if (row != rows.end() ? row->holds(*child, windy_) : !is_known)
-      lose(row != rows.end()                                                   ? row->what
-           : std::ranges::find(moving_elements, name) != moving_elements.end() ? "unread"
-                                                                               : "custom",
+      lose(row != rows.end()                                                       ? row->what
+           : std::ranges::find(moving_elements, name) != std::end(moving_elements) ? "unread"
+                                                                                   : "custom",
            where, "<" + name + ">");
     if (is_known && std::ranges::find(closed, name) == closed.end()) check_elements(child, line);
   }

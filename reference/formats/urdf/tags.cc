@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -159,7 +160,8 @@ class Walk {
       if (std::ranges::find(open, name) != open.end()) below(element);
       return;
     }
-    const bool moves = in == "gazebo" && std::ranges::find(moving_elements, name) != moving_elements.end();
+    const bool moves =
+        in == "gazebo" && std::ranges::find(moving_elements, name) != std::end(moving_elements);
     lose(moves ? "unread" : "custom", element, "<" + name + ">" + of);
   }
 
