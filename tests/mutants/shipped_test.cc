@@ -1,6 +1,6 @@
 // Nobody passes by doing nothing: in every shipped scene that moves, a claim as it stands in the file accuses
-// an engine that stands still, one that lets everything fall freely where that is wrong, and one that answers
-// with the step before.
+// an engine that stands still, one that does so after the first step, whether it says so or goes on to tell the speeds of
+// that step, one that lets everything fall freely where that is wrong, and one that answers with the step before.
 #include "tests/mutants/matrix/shipped.h"
 #include "tests/mutants/matrix/told.h"
 #include "tests/paths.h"
@@ -69,6 +69,20 @@ TEST_P(Shipped, AccusesWhoeverDoesNothing) {
 
   const auto still = run_shipped(scenario, frozen());
   EXPECT_TRUE(still->accused()) << "an engine that stands still passes" << told(*still);
+
+  if (right) {
+    core::State first = right->recording.states.at(1);
+    for (const bool says_so : {false, true}) {
+      for (core::BodyState& s : first)
+        if (says_so) s.velocity.setZero(), s.angular_velocity.setZero();
+      const auto ended = run_shipped(scenario, stopped(first));
+      if (moves_apart(scenario.scene, right->recording.states, ended->recording.states)) {
+        EXPECT_TRUE(ended->accused())
+            << "an engine that stands still after the first step passes, says so: " << says_so
+            << told(*ended);
+      }
+    }
+  }
 
   const auto falling = run_shipped(scenario, mutant("only falls"));
   const bool wrong =

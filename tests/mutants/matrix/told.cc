@@ -22,7 +22,7 @@ class Told final : public core::Simulator {
   }
   void step() override { ++step_; }
   void read(core::State& state) const override {
-    state = states_ && step_ > 1 ? states_(static_cast<double>(step_ - 1) * dt_) : start_;
+    state = step_ > 0 && states_ ? states_(static_cast<double>(step_ - 1) * dt_) : start_;
   }
 
  private:
@@ -48,6 +48,11 @@ Subject frozen() { return subject("frozen", "the state of the start for ever", n
 
 Subject one_step_late(const std::function<core::State(double t)>& states) {
   return subject("one step late", "the state of the step before", states);
+}
+
+Subject stopped(const core::State& first) {
+  return subject("one step, then still", "the state after the first step for ever",
+                 [first](double) { return first; });
 }
 
 }  // namespace cylon::mutants

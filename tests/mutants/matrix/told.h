@@ -13,4 +13,7 @@ Subject frozen();
 /// What `states` says of the sample before; the start at t = 0.
 Subject one_step_late(const std::function<core::State(double t)>& states);
 
+/// The start, and from the first step on `first`.
+Subject stopped(const core::State& first);
+
 }  // namespace cylon::mutants
