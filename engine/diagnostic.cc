@@ -59,9 +59,9 @@ const std::array<DiagnosticRow, static_cast<std::size_t>(DiagnosticKind::count)>
      "accelerations at contacts are off by up to {reached} m/s²"},
     {K::loads_undecided, "loads-undecided", "", "m/s²",
      "at {count} instants, from t = {since} s on, rigid bodies leave open how much of a load each of several "
-     "sliding points carries: it is shared evenly, and other shares change accelerations at these points by "
-     "up "
-     "to {reached} m/s²"},
+     "sliding points carries: it is shared evenly; shared otherwise, they would accelerate by up to "
+     "{reached} "
+     "m/s² more or less"},
     {K::impacts_inexact, "impacts-inexact", "", "m/s",
      "{count} impacts, from t = {since} s on, were solved iteratively, not to rounding: velocities at "
      "contacts are off by up to {reached} m/s"},

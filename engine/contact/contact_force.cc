@@ -233,7 +233,9 @@ ContactForces find_contact_forces(std::span<const TouchPoint> touches, std::span
   a.problem.most_sweeps = 200;
   CoulombSolution solution = solve(a.problem);
   if (solution.exact) stick_where_still(a.problem, solution);
-  const Real undecided = solution.exact ? undecided_rate(a.problem, solution.hold, solution.force) : Real(0);
+  const Real undecided = solution.exact
+                             ? undecided_rate(a.problem, solution.hold, solution.force, solution.operations)
+                             : Real(0);
   ContactForces support = report(a, touches, solution.hold, solution.force);
   support.exact = solution.exact;
   support.violation = solution.violation;

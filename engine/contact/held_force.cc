@@ -152,16 +152,20 @@ VectorX nearest_held_force(const CoulombProblem& p, const std::vector<Hold>& hol
 
 // A force B v of the kernel, M v = 0, changes nothing that the holds keep, and may change how what slides goes on.  Each
 // unit vector, less what the equations see of it, is such a v; it is as long as the point that it relieves most allows.
-Real undecided_rate(const CoulombProblem& p, const std::vector<Hold>& hold, const VectorX& force) {
+Real undecided_rate(const CoulombProblem& p, const std::vector<Hold>& hold, const VectorX& force,
+                    std::int64_t& operations) {
   std::vector<Unknown> unknowns;
   list_unknowns(p, hold, VectorX::Ones(static_cast<Eigen::Index>(hold.size())), unknowns);
   const auto count = static_cast<Eigen::Index>(unknowns.size());
   if (std::none_of(unknowns.begin(), unknowns.end(), [](const Unknown& u) { return u.rubs; })) return 0;
+  operations += linear_operations(count);
   MatrixX system;
   fill_system(p, unknowns, system);
   const LeastNorm decomposition(system, dependent_pivot());
   if (decomposition.rank() == count) return 0;
-  const Real rounding = std::sqrt(epsilon);  // of a part of the kernel that is none
+  operations +=
+      linear_operations(static_cast<std::int64_t>(force.size()));  // a product and a solution for each
+  const Real rounding = std::sqrt(epsilon);                        // of a part of the kernel that is none
   Real most = 0;
   for (Eigen::Index k = 0; k < count; ++k) {
     VectorX v = -decomposition.solve(system.col(k));

@@ -28,7 +28,8 @@ VectorX nearest_held_force(const CoulombProblem&, const std::vector<Hold>&, cons
 
 /// How far the loads leave the motion open: where the holds allow several forces, the most by which the rate of slip of a
 /// point that slides changes between the force and another that presses at all points [unit of u].  0 where all
-/// give one motion, as where all that touches sticks, or slides one way.
-Real undecided_rate(const CoulombProblem&, const std::vector<Hold>&, const VectorX& force);
+/// give one motion, as where all that touches sticks, or slides one way.  Adds to the operations what it took.
+Real undecided_rate(const CoulombProblem&, const std::vector<Hold>&, const VectorX& force,
+                    std::int64_t& operations);
 
 }  // namespace cylon::engine

@@ -116,6 +116,7 @@ constexpr SettingRow settings[] = {
      "  integrator = new SimTK::SemiExplicitEuler2Integrator(*world);\n"},
     {"setFixedStepSize", "", Where::program, ""},
     {"joints", "a tree", Where::program, ""},
+    {"openblas_set_num_threads", "1", Where::program, ""},
     {"springs, drag*", "", Where::program, ""},
     {"tolerance of a step", "", Where::world, "  integrator->setAccuracy(${value});\n"},
     {"setAccuracy", "", Where::world, "  integrator->setAccuracy(${value});\n"},

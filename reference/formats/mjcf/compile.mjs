@@ -146,6 +146,13 @@ function told(M, model, data) {
   };
 }
 
+/** How many bodies hang from each other.  Some 125 fill the stack, which nothing guards: what comes out then is not the file. */
+function depth(parents) {
+  const depths = [0];
+  for (let i = 1; i < parents.length; ++i) depths.push(depths[parents[i]] + 1);
+  return Math.max(...depths);
+}
+
 async function main([file, key]) {
   if (!file) throw new Refused('usage: cylon-import-mujoco3 FILE [KEYFRAME]');
   const warnings = [];
@@ -155,7 +162,10 @@ async function main([file, key]) {
   };
   const M = await load_mujoco({print: say, printErr: say});
   const absent = [];
-  const model = compile(M, file, absent), data = new M.MjData(model);
+  const model = compile(M, file, absent);
+  const bodies = depth(list(model.body_parentid)), most = 110;
+  if (bodies > most) throw new Refused(`${bodies} bodies hang from each other, with what it includes; MuJoCo 3 in WebAssembly has a stack for ${most}`);
+  const data = new M.MjData(model);
   if (key !== undefined) {
     const number = names_of(model).key.indexOf(key);
     if (number < 0) throw new Refused(`no keyframe is called '${key}'`);

@@ -41,7 +41,7 @@ inline constexpr std::string_view moving_elements[] = {
 
 /// Whether a plugin shows, measures or records, or waits for a command, by the name of its library, or by its own name
 /// where the library holds several.  Every other one may push bodies: by a medium, a coupling of joints, or a
-/// drive that holds them where no command comes, as those of wheels do.
+/// drive that holds them where no command comes, as those of wheels and ros_control (SetPosition in each step) do.
 inline bool leaves_bodies_alone(std::string_view library, std::string_view name) {
   constexpr std::string_view harmless[] = {
       "simphysics",
@@ -88,8 +88,6 @@ inline bool leaves_bodies_alone(std::string_view library, std::string_view name)
       "rosfactory",
       "rosapi",
       "rospaths",
-      "roscontrol",
-      "ros2control",
       "applyjointforce",
       "touchplugin",
       "colladaworldexporter",

@@ -1,6 +1,7 @@
 // The adapter of Siconos: a Scene in, motion out.
 // Sees the simulator interface and the border to Siconos; never Siconos's headers, a scenario, a claim or another adapter.
 #include "harness/core/simulator.h"
+#include "reference/applied/blas_threads.h"
 #include "reference/applied/forces.h"
 #include "reference/applied/masses.h"
 #include "reference/simulators/siconos/siconos_limits.h"
@@ -77,6 +78,7 @@ core::Terms Siconos::load(const Scene& scene, const Setup& setup) {
   first_of_solver_ = first_of_newton_ = 0, lost_.reset();
   const siconos_border::Settings own = siconos_border_settings(settings, dt_);
   theta_ = own.theta;
+  applied::use_one_blas_thread();
   world_ = std::make_unique<siconos_border::World>(translated_.bodies, translated_.contacts, own);
   return siconos_terms(settings, kind);
 }

@@ -371,6 +371,25 @@ TEST(Chain, IsAsDeepAsTheStackOfMujocoTakes) {
   EXPECT_NE(refusal(file).find("an element nested more than 110 deep"), std::string::npos) << refusal(file);
 }
 
+// What a file includes is in no count of its own elements.
+TEST(Chain, OfAnIncludedFileIsCounted) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "chain.xml";
+  REQUIRE_LIBRARY(file);
+  const auto nested = [](int bodies, const std::string& inside) {
+    std::string text = inside;
+    for (int i = 0; i < bodies; ++i)
+      text = "<body pos='0 0 1'><joint axis='1 0 0'/><geom type='sphere' size='.1'/>" + text + "</body>";
+    return text;
+  };
+  std::ofstream(folder.path() / "part.xml") << "<mujoco>" + nested(56, "") + "</mujoco>";
+  std::ofstream(file) << "<mujoco><worldbody>" + nested(57, "<include file='part.xml'/>") +
+                             "</worldbody></mujoco>";
+  if (program_of(*format_of(file), programs).filename() != format_of(file)->newer)
+    GTEST_SKIP() << "MuJoCo 2.2.2 has another stack";
+  EXPECT_NE(refusal(file).find("113 bodies hang from each other"), std::string::npos) << refusal(file);
+}
+
 TEST(Hostile, FilesEndWithAnError) {
   const TemporaryFolder folder;
   const auto nested = [](const char* open, const char* close, int depth) {

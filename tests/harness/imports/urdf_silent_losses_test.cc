@@ -123,6 +123,10 @@ INSTANTIATE_TEST_SUITE_P(
                    "<gazebo><plugin name='label' filename='libroboticsgroup_gazebo_mimic_joint_plugin.so'/>"
                    "</gazebo>",
                "plugin 'label': plugin_force", true},
+        // It sets the positions of joints in each step, without a command those of the start.
+        Silent{"RosControl",
+               hinge + "<gazebo><plugin name='c' filename='libgazebo_ros_control.so'/></gazebo>",
+               "plugin 'c': plugin_force", true},
         Silent{"Quaternion", two + joint("continuous", "<origin xyz='0 0 1' quat_xyzw='1 0 0 0'/>"),
                "<origin>: unread (attribute 'quat_xyzw' of joint 'j')", true},
         // Such a hinge does not turn.

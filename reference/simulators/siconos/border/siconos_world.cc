@@ -1,6 +1,5 @@
 #include "reference/simulators/siconos/border/siconos_world.h"
 
-#include "reference/applied/blas_threads.h"
 #include "reference/simulators/siconos/border/siconos_contact.h"
 
 #include <algorithm>
@@ -92,7 +91,6 @@ struct World::Parts {
 
 World::World(const std::vector<Body>& bodies, const std::vector<Contact>& contacts, const Settings& settings)
     : parts_(std::make_unique<Parts>()) {
-  applied::use_one_blas_thread();
   for (const Body& body : bodies) parts_->add(body);
   // One problem has contacts of one kind alone.
   const bool rough = std::any_of(contacts.begin(), contacts.end(),
