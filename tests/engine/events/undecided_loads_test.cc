@@ -75,6 +75,17 @@ TEST(UndecidedLoads, AreToldWithWhatTheyLeaveOpen) {
   EXPECT_GT(*told->reached, 0.1 * static_cast<double>(whole));
 }
 
+// Of its own island alone, and not of a top that it never meets.
+TEST(UndecidedLoads, AreOfTheirIsland) {
+  Model model = table(along, spin);
+  add_body(model, make_body(1, Vector3(1, 2, Real(1.5)).asDiagonal()), {100, 5, 0}, {0, 0, 0}, {0, 0, 0},
+           {1, 20, 0});
+  const std::optional<Diagnostic> told = undecided(model);
+  ASSERT_TRUE(told);
+  EXPECT_EQ(told->island.bodies, std::vector<int>{0});
+  EXPECT_FALSE(told->island.whole);
+}
+
 struct Decided {
   const char* name;
   Vector3 velocity, spin;
