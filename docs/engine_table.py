@@ -31,7 +31,7 @@ families = [
     ("DART", ["dart/path=as-expert"], ["dart"]),
     ("Siconos", ["siconos/path=as-expert"], ["siconos"]),
     ("Jolt", ["jolt"], ["jolt"]),
-    ("Rapier", ["rapier"], ["rapier", "rapier-deterministic"]),
+    ("Rapier", ["rapier"], ["rapier", "rapier-deterministic", "rapier-simd"]),
     ("MuJoCo 3", ["mujoco3", "mujoco3/integrator=rk4"], ["mujoco3"]),
     ("Havok", ["havok/path=stand-in"], ["havok"]),
     ("PhysX", ["physx"], ["physx"]),

@@ -75,8 +75,15 @@ inline const Subject subjects[] = {
      .archimedes = false,
      .any_pair = false,
      .drift = 64},
-    // Rapier of another build, whose bits are the same (rapier_builds_test.cc).
+    // Rapier of other builds, the first of which has the same bits (rapier_builds_test.cc).
     {.id = "rapier-deterministic",
+     .single = true,
+     .iterative = true,
+     .tells = false,
+     .archimedes = false,
+     .any_pair = false,
+     .drift = 64},
+    {.id = "rapier-simd",
      .single = true,
      .iterative = true,
      .tells = false,

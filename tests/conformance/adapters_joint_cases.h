@@ -67,6 +67,7 @@ inline constexpr Taken taken[] = {
     {"jolt", 7, 8, 4},
     {"rapier", 6, 8, 4},
     {"rapier-deterministic", 6, 8, 4},
+    {"rapier-simd", 6, 8, 4},
     {"crashcat", 7, 8, 4},
     {"physx", 7, 8, 4},
 };

@@ -103,6 +103,7 @@ const Mistake mistakes[] = {
     {"rapier/sleeping=yes", {"value of option sleeping 'yes'", "off, on"}},
     {"rapier-deterministic/gyro=off", {"rapier-deterministic: no option 'gyro'"}},
     {"rapier-deterministic/solver-iterations=0", {"rapier-deterministic: option solver-iterations = '0'"}},
+    {"rapier-simd/gyro=off", {"rapier-simd: no option 'gyro'"}},
     {"havok/path=standin", {"path 'standin'", "did you mean 'stand-in'?"}},
     {"havok/forces=impulse", {"value of option forces 'impulse'", "did you mean 'impulses'?"}},
     {"havok/gyroscopic-torque=on", {"value of option gyroscopic-torque 'on'", "refused, left-out"}},

@@ -54,6 +54,7 @@ std::vector<Subject> where_contacts_begin_at_the_touch() {
     if (std::string_view(subject.id) == "rapier") subject.id = "rapier/prediction=0";
     if (std::string_view(subject.id) == "rapier-deterministic")
       subject.id = "rapier-deterministic/prediction=0";
+    if (std::string_view(subject.id) == "rapier-simd") subject.id = "rapier-simd/prediction=0";
   }
   return all;
 }

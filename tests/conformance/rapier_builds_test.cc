@@ -1,5 +1,6 @@
-// Rapier's two builds: the plain one and that with enhanced-determinism.  Here both run as WebAssembly, on whose arithmetic no
-// processor has a say, and the shipped scenes end in the same bits.
+// Rapier's three builds: the plain one, that with enhanced-determinism and that with SIMD.  Here all run as WebAssembly, on
+// whose arithmetic no processor has a say: the shipped scenes end in the same bits with the first two, and those in which
+// nothing turns with the third.
 #include "tests/conformance/adapters_fixture.h"
 #include "tests/conformance/fixture.h"
 
@@ -7,6 +8,9 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace cylon::conformance {
@@ -37,9 +41,14 @@ bool same_bits(const core::Recording& a, const core::Recording& b) {
   return numbers(a) == numbers(b);
 }
 
+std::optional<std::string> one_is_missing(std::initializer_list<const char*> ids) {
+  for (const char* id : ids)
+    if (auto reason = process::missing(engine(id).row)) return reason;
+  return std::nullopt;
+}
+
 TEST(RapierBuilds, HaveTheSameBits) {
-  for (const char* id : {"rapier", "rapier-deterministic"})
-    if (const auto reason = process::missing(engine(id).row)) GTEST_SKIP() << *reason;
+  if (const auto reason = one_is_missing({"rapier", "rapier-deterministic"})) GTEST_SKIP() << *reason;
   const process::KeptWorkers kept;
   int played = 0;
   for (const auto& file : std::filesystem::directory_iterator(source("scenarios"))) {
@@ -56,6 +65,25 @@ TEST(RapierBuilds, HaveTheSameBits) {
     EXPECT_TRUE(same_bits(*plain.recording, *deterministic.recording)) << scenario.name;
   }
   EXPECT_GE(played, 100);
+}
+
+TEST(RapierBuilds, DifferWithSimdWhereSomethingTurns) {
+  if (const auto reason = one_is_missing({"rapier", "rapier-simd"})) GTEST_SKIP() << *reason;
+  struct Row {
+    const char* scenario;
+    bool alike;
+  };
+  const process::KeptWorkers kept;
+  for (const Row& row :
+       {Row{"projectile", true}, Row{"bouncing_sphere_half", true}, Row{"kepler", true},
+        Row{"two_sphere_oblique", true}, Row{"spring_pendulum", true}, Row{"water_step_force", true},
+        Row{"rail_friction", true}, Row{"free_asymmetric_top", false}, Row{"heavy_top", false},
+        Row{"hinge_tilted", false}, Row{"rolling_sphere_incline", false}, Row{"cube_stack", false}}) {
+    const auto scenario = scenario::load(source(std::string("scenarios/") + row.scenario + ".toml"));
+    const process::RunOutcome plain = begun("rapier", scenario), simd = begun("rapier-simd", scenario);
+    ASSERT_TRUE(plain.recording && simd.recording) << row.scenario;
+    EXPECT_EQ(same_bits(*plain.recording, *simd.recording), row.alike) << row.scenario;
+  }
 }
 
 }  // namespace

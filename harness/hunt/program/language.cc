@@ -144,13 +144,13 @@ std::string without_unused(std::string text, std::string_view helpers) {
   return text;
 }
 
-extern const Dialect bullet, ode, mujoco, simbody, dart, siconos, jolt, rapier, rapier_deterministic, mujoco3,
-    havok, physx, crashcat, cannon;
+extern const Dialect bullet, ode, mujoco, simbody, dart, siconos, jolt, rapier, rapier_deterministic,
+    rapier_simd, mujoco3, havok, physx, crashcat, cannon;
 
 std::span<const Dialect* const> dialects() {
   static constexpr std::array all = {
-      &bullet,  &ode,   &mujoco, &simbody,  &dart,  &siconos, &jolt, &rapier, &rapier_deterministic,
-      &mujoco3, &havok, &physx,  &crashcat, &cannon};
+      &bullet,      &ode,     &mujoco, &simbody, &dart,     &siconos, &jolt, &rapier, &rapier_deterministic,
+      &rapier_simd, &mujoco3, &havok,  &physx,   &crashcat, &cannon};
   return all;
 }
 

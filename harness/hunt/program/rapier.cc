@@ -109,12 +109,15 @@ constexpr Dialect of_build(std::string_view engine, std::string_view title, std:
 
 }  // namespace
 
-extern const Dialect rapier, rapier_deterministic;
+extern const Dialect rapier, rapier_deterministic, rapier_simd;
 const Dialect rapier = of_build("rapier", "Rapier", "npm install @dimforge/rapier3d-compat",
                                 "import RAPIER from '@dimforge/rapier3d-compat';\n");
 const Dialect rapier_deterministic =
     of_build("rapier-deterministic", "Rapier, deterministic build",
              "npm install @dimforge/rapier3d-deterministic-compat",
              "import RAPIER from '@dimforge/rapier3d-deterministic-compat';\n");
+const Dialect rapier_simd =
+    of_build("rapier-simd", "Rapier, SIMD build", "npm install @dimforge/rapier3d-simd-compat",
+             "import RAPIER from '@dimforge/rapier3d-simd-compat';\n");
 
 }  // namespace cylon::hunt::program

@@ -190,6 +190,7 @@ const Case cases[] = {
     {"rapier", "energy", springs},
     {"rapier", "penetration", falling_balls},
     {"rapier-deterministic", "penetration", falling_balls},
+    {"rapier-simd", "penetration", falling_balls},
     {"rapier", "joint gap", pendulum},
     {"jolt", "energy", springs},
     {"jolt/path=as-shipped", "angular momentum", spinning_box},

@@ -165,7 +165,7 @@ const unit = [1, 0, 0, 0, 1, 0, 0, 0, 1];
 
 // v' = v + g h, x' = x + v' h with h = dt/n: a step of n parts from rest falls g dt^2 (1 + 1/n)/2.
 const parts = [
-  ...engines.map((engine) => [engine, {}, {rapier: 4, 'rapier-deterministic': 4, havok: 4}[engine] ?? 1]),
+  ...engines.map((engine) => [engine, {}, {rapier: 4, 'rapier-deterministic': 4, 'rapier-simd': 4, havok: 4}[engine] ?? 1]),
   ['rapier', {options: {'solver-iterations': '1'}}, 1], ['rapier', {options: {'solver-iterations': '7'}}, 7],
   ['rapier', {path: 'as-shipped'}, 4],
   ...[[1 / 30, 8], [1 / 60, 4], [1 / 90, 3], [1 / 120, 2], [1 / 240, 1], [1 / 512, 1]].map(([dt, n]) => ['havok', {path: 'as-shipped', dt}, n]),
@@ -238,7 +238,7 @@ test('a package that is missing is no failure', () => {
   const sources = path.join(root, 'reference/simulators/js');
   for (const file of fs.readdirSync(sources).filter((name) => name.endsWith('.mjs') || name === 'package.json'))
     fs.copyFileSync(path.join(sources, file), path.join(bare, file));
-  const told = ['jolt', 'rapier-deterministic'].map((engine) => talk(engine, [{cmd: 'hello', protocol: 1}], bare).messages[0]);
+  const told = ['jolt', 'rapier-deterministic', 'rapier-simd'].map((engine) => talk(engine, [{cmd: 'hello', protocol: 1}], bare).messages[0]);
   fs.rmSync(bare, {recursive: true});
   for (const {unsupported} of told) assert.match(unsupported, /`\.\/run engines` installs it/);
 });
