@@ -252,7 +252,7 @@ void order(Reduced& reduced) {
     for (auto& force : list) force.renumber(numbering);
   });
   for (BodyPair& pair : m.apart) {
-    const auto [low, high] = std::minmax(numbering(pair[0]), numbering(pair[1]));
+    const auto [low, high] = std::minmax({numbering(pair[0]), numbering(pair[1])});
     pair = {low, high};
   }
   std::sort(m.apart.begin(), m.apart.end());

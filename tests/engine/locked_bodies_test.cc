@@ -1,8 +1,13 @@
 // Locked bodies are in no equation of motion and cost nothing in a step, whatever their place in the scene.
 #include "tests/engine/contact/contact_fixtures.h"
+#include "tests/engine/mixed_scenes.h"
+#include "tests/engine/same_bits.h"
 
 #include "engine/bodies.h"
 #include "engine/world.h"
+
+#include <algorithm>
+#include <numeric>
 
 namespace cylon::engine {
 namespace {
@@ -129,6 +134,102 @@ TEST(LockedBodies, HoldSpringsAndJoints) {
     EXPECT_LT((ends[k].position - ends[k + 6].position).norm(), 1e-9) << k;
     EXPECT_LT((ends[k].angular_momentum - ends[k + 6].angular_momentum).norm(), 1e-8) << k;
   }
+}
+
+// Two hinged balls that a spring folds together while they fall on a slab: they do not touch each other.  With the slab before
+// them they did, as the list of jointed pairs was numbered anew with numbers that were gone by then.
+TEST(LockedBodies, BeforeJointedNeighboursKeepThemApart) {
+  std::vector<Motion> ends;
+  for (const bool first : {true, false}) {
+    Model model = without_plane({0, 0.5});
+    model.forces.gravity = {0, Real(-9.81), 0};
+    const auto add_slab = [&] {
+      add_box(model, 1, {3, 0.1, 3}, {0, -0.1, 0}, Quaternion::Identity(), Vector3::Zero(), Vector3::Zero(),
+              true);
+    };
+    if (first) add_slab();
+    const int a = first ? 1 : 0, b = a + 1;
+    add_sphere(model, 1, 0.1, {0, 0.5, 0}, Vector3::Zero(), Vector3::Zero());
+    add_sphere(model, 1, 0.1, {0.3, 0.5, 0}, Vector3::Zero(), Vector3::Zero());
+    if (!first) add_slab();
+    model.forces.springs.push_back({a, Vector3::Zero(), b, Vector3::Zero(), 50, 0, 0});
+    Joint hinge{.type = joint_types::hinge, .body = b, .to = a};
+    hinge.anchor = {-0.15, 0.1, 0}, hinge.to_anchor = {0.15, 0.1, 0};
+    hinge.axis = hinge.to_axis = {0, 0, 1};
+    model.joints.push_back(hinge);
+    model.apart = {{a, b}};
+    Options options;
+    options.dt = 1. / 256;
+    World world(model, options);
+    world.advance(64);
+    ends.push_back(world.motions()[static_cast<std::size_t>(a)]);
+    ends.push_back(world.motions()[static_cast<std::size_t>(b)]);
+    EXPECT_LT((ends.back().position - ends[ends.size() - 2].position).norm(), Real(0.2) + Real(1e-9));
+    EXPECT_GT(ends[ends.size() - 2].position.x(), ends.back().position.x()) << "they went through each other";
+  }
+  EXPECT_TRUE(same_bits(std::span(ends).first(2), std::span(ends).last(2)));
+}
+
+// What the scene ties to the world, tied to a locked post at the origin in its place; jointed pairs do not touch.
+Model with_post(Model m, bool first) {
+  const int post = static_cast<int>(m.bodies.size());
+  const auto tie = [&](int& end) { end = end == fixed_world ? post : end; };
+  add_body(m, make_body(1, Matrix3::Identity(), true), Vector3::Zero(), Vector3::Zero(), Vector3::Zero(),
+           Vector3::Zero());
+  if (!m.filters.empty()) m.filters.push_back({});
+  for (Water& water : m.forces.waters) water.shapes = m.shapes;
+  for (Joint& joint : m.joints) tie(joint.to);
+  for (Spring& spring : m.forces.springs) tie(spring.to);
+  for (CoordinateLaw& law : m.forces.coordinate_laws) tie(law.at.to);
+  for (const Joint& joint : m.joints)
+    if (joint.to != post) m.apart.push_back({std::min(joint.body, joint.to), std::max(joint.body, joint.to)});
+  std::ranges::sort(m.apart);
+  if (!first) return m;
+  std::vector<int> order(m.bodies.size());
+  std::iota(order.begin() + 1, order.end(), 0);
+  order.front() = post;
+  const auto sort = [&](auto& list) {
+    if (!list.empty()) std::rotate(list.begin(), list.end() - 1, list.end());
+  };
+  sort(m.bodies), sort(m.motions), sort(m.shapes), sort(m.surfaces), sort(m.filters);
+  const Numbering numbering(order);
+  for (Joint& joint : m.joints) joint.body = numbering(joint.body), joint.to = numbering(joint.to);
+  each_force_list(m.forces, [&](auto& list) {
+    for (auto& force : list) force.renumber(numbering);
+  });
+  for (BodyPair& pair : m.apart) pair = {numbering(pair[0]), numbering(pair[1])};
+  std::ranges::sort(m.apart);
+  return m;
+}
+
+// Random scenes that mix features, with and without a surface.
+TEST(LockedBodies, HaveTheSameEffectFirstAndLast) {
+  int compared = 0, jointed = 0;
+  for (std::uint32_t k = 0; k < 400; ++k) {
+    const MixedScene scene = mixed_scene(k);
+    SCOPED_TRACE(std::to_string(k) + scene.text);
+    const bool others = std::ranges::any_of(scene.model.bodies, &Body::locked);  // whose order would change
+    if (others) continue;
+    const Model first = with_post(scene.model, true), last = with_post(scene.model, false);
+    for (const bool full : {false, true}) {
+      Options options;
+      options.dt = 1. / 64, options.full = full;
+      if (!unsupported(last, options).empty()) {
+        EXPECT_FALSE(unsupported(first, options).empty());
+        continue;
+      }
+      World one(first, options), other(last, options);
+      one.advance(16), other.advance(16);
+      const std::size_t n = scene.model.bodies.size();
+      EXPECT_TRUE(same_bits(std::span(one.motions()).last(n), std::span(other.motions()).first(n)))
+          << "full: " << full << ", "
+          << apart(scene.model.bodies, {one.motions().begin() + 1, one.motions().end()},
+                   {other.motions().begin(), other.motions().end() - 1});
+      ++compared, jointed += !scene.model.joints.empty();
+    }
+  }
+  EXPECT_GT(compared, 500);
+  EXPECT_GT(jointed, 150);
 }
 
 }  // namespace
