@@ -49,7 +49,7 @@ std::string line(const results::EngineAdvice& one, const results::Advice& advice
                        named(*one.best));
   }
   std::string text =
-      fmt::format("{}: {}\n    error {:.1e}, {:.1f} times below the tolerance; costs {}{}\n", one.engine,
+      fmt::format("{}: {}\n    error {:.1e}, {:.2g} times below the tolerance; costs {}{}\n", one.engine,
                   named(*one.pick), one.pick->error, advice.tolerance / one.pick->error, cost(one.pick->cost),
                   one.over_budget ? ", which is over the budget" : "");
   if (one.runner_up)

@@ -72,7 +72,9 @@ std::string to_csv(const std::vector<results::Verdict>& verdicts) {
   };
   line(row({}), [](const std::string& key, const Json&) { return key; });
   for (const results::Verdict& verdict : verdicts)
-    line(row(verdict), [](const std::string&, const Json& value) { return cell(value); });
+    line(row(verdict), [&](const std::string& key, const Json& value) {
+      return key == "allowed" && !has_allowed(verdict.status) ? "" : cell(value);
+    });
   return out;
 }
 

@@ -3,21 +3,22 @@
 #include "harness/cli/command_line.h"
 #include "harness/cli/workers.h"
 
+#include "harness/core/engine.h"
 #include "harness/core/input_error.h"
+#include "harness/process/failure.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace cylon::cli {
 
-void add_asked(App& app, Asked& asked) {
+void add_asked(App& app, Asked& asked, const std::string& engines) {
   app.add_option("file", asked.file, "A scenario file, or the name of a shipped scenario")
       ->type_name("FILE")
       ->required();
-  app.add_option("--engine", asked.engine, "Engine id, with a variant after '/': bullet/gyro=none")
-      ->type_name("ID")
-      ->capture_default_str();
+  app.add_option("--engine", asked.engine, engines)->type_name("ID")->capture_default_str();
   app.add_option("--integrator", asked.integrator,
                  "One of the engine's integrators (`cylon engines` lists them)")
       ->type_name("NAME");
@@ -41,8 +42,24 @@ process::EngineChoice choose(const Context& context, const Asked& asked) {
     place = value;
   };
   state("--integrator", asked.integrator, engine.integrator);
-  if (!asked.model.empty()) state("--model", asked.model, engine.options["model"]);
+  if (!asked.model.empty()) {
+    require_option(engine, "--model", "model");
+    state("--model", asked.model, engine.options["model"]);
+  }
   return engine;
+}
+
+void require_option(const process::EngineChoice& engine, const char* of_command_line,
+                    std::string_view of_engine) {
+  try {
+    const std::vector<core::Option> options = process::describe(engine).options;
+    if (std::ranges::find(options, of_engine, &core::Option::name) != options.end()) return;
+  } catch (const process::Failure&) {
+    return;  // the run says why there is no such engine
+  }
+  throw core::InputError(
+      fmt::format("{}: engine '{}' has no option '{}'; it is for the in-house engine alone", of_command_line,
+                  engine.id, of_engine));
 }
 
 int report_failure(const std::string& engine, const process::RunOutcome& outcome) {

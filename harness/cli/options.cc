@@ -102,4 +102,16 @@ void add_memory_option(App& app, double& memory) {
       ->check(positive(1e6));
 }
 
+void add_sweep_options(App& app, int& rounds, int& jobs, double& timeout) {
+  app.add_option("--rounds", rounds,
+                 "Number of timings of each setting, interleaved; the shortest counts. 0: no timing")
+      ->type_name("N")
+      ->capture_default_str()
+      ->check(in_range(0, 1000));
+  add_jobs_option(app, jobs,
+                  "Number of runs at the same time while errors are measured; default: all processors. Timed "
+                  "runs never overlap");
+  add_timeout_option(app, timeout);
+}
+
 }  // namespace cylon::cli

@@ -40,4 +40,7 @@ int worker_count(const Context&, int jobs);
 void add_timeout_option(App&, double& timeout);
 void add_memory_option(App&, double& memory);
 
+/// --rounds, --jobs and --timeout [s] of what measures errors, then times.
+void add_sweep_options(App&, int& rounds, int& jobs, double& timeout);
+
 }  // namespace cylon::cli

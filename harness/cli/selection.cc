@@ -124,13 +124,11 @@ struct Step {
 
 std::vector<Step> parse_steps(const std::vector<std::string>& words) {
   std::vector<Step> steps;
-  for (const std::string& word : words) try {
-      const double dt = scenario::parse_step(word);
-      if (std::none_of(steps.begin(), steps.end(), [&](const Step& other) { return other.dt == dt; }))
-        steps.push_back({word, dt});
-    } catch (const core::InputError& error) {
-      throw core::InputError(fmt::format("--dt: {}", error.what()));
-    }
+  for (const std::string& word : words) {
+    const double dt = scenario::parse_step(word, "--dt");
+    if (std::none_of(steps.begin(), steps.end(), [&](const Step& other) { return other.dt == dt; }))
+      steps.push_back({word, dt});
+  }
   return steps;
 }
 

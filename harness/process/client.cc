@@ -279,7 +279,7 @@ RunOutcome run(const EngineChoice& choice, const RunRequest& request, const Limi
   std::string death;
   attempt(outcome, [&] {
     worker.emplace(command_of(choice.row), limits.memory_bytes);
-    const Hello hello = introduce(*worker, limits.hello_seconds);
+    const Hello hello = introduce(*worker, choice.row, limits.hello_seconds);
     core::Recording recording = recorded(*worker, choice, request, wanted, hello, limits, outcome);
     outcome.repetitions = repetitions(*worker, choice, request, hello, limits);
     outcome.recording = std::move(recording);
@@ -307,7 +307,7 @@ RunOutcome Session::run(const RunRequest& request) {
     attempt(outcome, [&] {
       if (!worker_) {
         worker_ = std::make_unique<Worker>(choice_, limits_);
-        worker_->hello = introduce(worker_->conversation, limits_.hello_seconds);
+        worker_->hello = introduce(worker_->conversation, choice_.row, limits_.hello_seconds);
       }
       outcome.recording =
           recorded(worker_->conversation, choice_, request, wanted, worker_->hello, limits_, outcome);
@@ -342,7 +342,7 @@ RunOutcome KeptWorkers::run(const EngineChoice& choice, const RunRequest& reques
 
 core::Engine describe(const EngineChoice& choice, const Limits& limits) try {
   Conversation worker(command_of(choice.row), limits.memory_bytes);
-  core::Engine engine = introduce(worker, limits.hello_seconds).engine;
+  core::Engine engine = introduce(worker, choice.row, limits.hello_seconds).engine;
   worker.finish(limits.quit_seconds);
   return engine;
 } catch (const MalformedMessage& error) {

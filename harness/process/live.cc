@@ -39,7 +39,7 @@ LiveRun::LiveRun(EngineChoice choice, Limits limits)
     : choice_(std::move(choice)),
       limits_(limits),
       worker_(command_of(choice_.row), limits_.memory_bytes),
-      hello_(speaking([&] { return introduce(worker_, limits_.hello_seconds); })) {}
+      hello_(speaking([&] { return introduce(worker_, choice_.row, limits_.hello_seconds); })) {}
 
 void LiveRun::load(const core::Scene& scene, const core::Setup& setup) {
   scene_ = scene;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <string_view>
 #include <vector>
 
 namespace cylon::process {
@@ -66,7 +67,7 @@ const std::vector<std::string>& command_of(const EngineRow& row) {
   return row.command;
 }
 
-Hello introduce(Conversation& worker, double seconds) {
+Hello introduce(Conversation& worker, const EngineRow& row, double seconds) try {
   worker.ask({{"cmd", "hello"}, {"protocol", protocol_version}}, seconds);
   const json answer = worker.next_line();
   if (const auto reason = text_of(answer, "unsupported"))
@@ -74,6 +75,10 @@ Hello introduce(Conversation& worker, double seconds) {
   if (const auto reason = text_of(answer, "error")) broken("hello was refused: " + *reason);
   require_ok(answer, "hello");
   return hello_from_json(answer);
+} catch (const Failure& failure) {
+  // A library that was there when the worker was built.
+  if (!row.optional() || !std::string_view(failure.what()).starts_with("cannot start")) throw;
+  throw Failure(failure.status, fmt::format("{}; `{}` brings what it needs", failure.what(), row.brought_by));
 }
 
 core::Terms open_scene(Conversation& worker, const EngineChoice& choice, const core::Scene& scene,

@@ -16,8 +16,9 @@ namespace cylon::process {
 /// The command of a worker.  Throws Failure(unsupported) where an optional engine is not here.
 const std::vector<std::string>& command_of(const EngineRow&);
 
-/// Says hello under a deadline [s].  Throws Failure where the worker is unsupported or refuses.
-Hello introduce(Conversation&, double seconds);
+/// Says hello under a deadline [s].  Throws Failure where the worker is unsupported or refuses; where an optional
+/// engine's cannot start, with the command that brings what it needs.
+Hello introduce(Conversation&, const EngineRow&, double seconds);
 
 /// Loads a scene under a deadline [s] for that and all that follows.  What the choice states (path,
 /// integrator, options) goes before the setup.  Throws Failure(unsupported); core::InputError where the

@@ -23,6 +23,9 @@ const TradePoint* best_point(const TradeTable& table, const TradeSeries& series)
   return best;
 }
 
+// One error has no slope: that no order was fitted says nothing of the engine then.
+bool has_too_few_steps(const TradeSeries& series) { return !series.adaptive && series.points.size() == 1; }
+
 bool runs(const TradeSeries& series) { return !series.points.empty(); }
 
 // A tolerance says nothing where the engine goes by fixed steps.
@@ -68,6 +71,8 @@ std::string why_not_reached(const TradeTable& table, const TradeSeries& series, 
   if (least <= error) return "met at single steps only: the error scatters";
   // An error of a third of the motion obeys no law of small errors.
   if (least > 0.3) return fmt::format("never near: error {:.1g} at {}", least, at_step(best->dt));
+  if (has_too_few_steps(series))
+    return fmt::format("error {:.1g} at {}, too few steps tried for an order", least, at_step(best->dt));
   if (!(series.order >= 0.5))
     return fmt::format("error {:.1g} at {}, falls with no order", least, at_step(best->dt));
   // e = C dt^p
@@ -89,7 +94,7 @@ std::vector<StepCell> step_cells(const TradeTable& table) {
       reach.point = coarsest_point(table, series, error);
       reach.coarsest_tried = reach.point == std::size_t{0};
       if (!reach.point) reach.why = why_not_reached(table, series, error);
-      if (!reach.point && runs(series) && !series.cause.empty())
+      if (!reach.point && runs(series) && !series.cause.empty() && !has_too_few_steps(series))
         reach.why += fmt::format("; cause: {}", series.cause);
       cell.reach.push_back(std::move(reach));
     }

@@ -25,9 +25,12 @@ struct Checker {
     throw core::InputError(file, where.begin.line, where.begin.column, message);
   }
 
-  [[noreturn]] void wrong_type(const Key& key, const toml::node& node) const {
-    fail(node.source(),
-         fmt::format("{} must be {}, not {}", key.name, form_of(key.kind), describe_type(node)));
+  // What a node is to its key: all of its value, or an element of it.
+  enum class Role { whole, element };
+
+  [[noreturn]] void wrong_type(const Key& key, const toml::node& node, Role role = Role::whole) const {
+    fail(node.source(), fmt::format("{} must be {}, {} {}", key.name, form_of(key.kind),
+                                    role == Role::whole ? "not" : "but an element is", describe_type(node)));
   }
 
   static std::string describe_type(const toml::node& node) {
@@ -40,14 +43,14 @@ struct Checker {
     return "a date or time";
   }
 
-  double number(const Key& key, const toml::node& node) const {
+  double number(const Key& key, const toml::node& node, Role role = Role::whole) const {
     double x = 0;
     if (const auto* integer = node.as_integer()) {
       x = static_cast<double>(integer->get());
     } else if (const auto* real = node.as_floating_point()) {
       x = real->get();
     } else {
-      wrong_type(key, node);
+      wrong_type(key, node, role);
     }
     if (!std::isfinite(x)) fail(node.source(), fmt::format("{} = {}, but must be finite", key.name, x));
     const Range& r = key.range;
@@ -56,14 +59,14 @@ struct Checker {
     return x;
   }
 
-  void whole(const Key& key, const toml::node& node) const {
-    if (!node.is_integer()) wrong_type(key, node);
+  void whole(const Key& key, const toml::node& node, Role role = Role::whole) const {
+    if (!node.is_integer()) wrong_type(key, node, role);
     number(key, node);
   }
 
-  void word(const Key& key, const toml::node& node) const {
+  void word(const Key& key, const toml::node& node, Role role = Role::whole) const {
     const auto* text = node.as_string();
-    if (!text) wrong_type(key, node);
+    if (!text) wrong_type(key, node, role);
     if (text->get().empty()) fail(node.source(), fmt::format("{} is empty", key.name));
     if (key.choices.empty() || std::ranges::find(key.choices, text->get()) != key.choices.end()) return;
     unknown_word(key.name, text->get(), key.choices, node.source());
@@ -76,7 +79,7 @@ struct Checker {
                             fmt::join(valid, ", ")));
   }
 
-  void step(const Key& key, const toml::node& node) const {
+  void step(const Key& key, const toml::node& node, Role role = Role::whole) const {
     try {
       if (const auto* text = node.as_string()) {
         parse_step(text->get());
@@ -85,7 +88,7 @@ struct Checker {
     } catch (const core::InputError& error) {
       fail(node.source(), fmt::format("{}: {}", key.name, error.what()));
     }
-    number(in_seconds(key), node);
+    number(in_seconds(key), node, role);
   }
 
   static Key in_seconds(Key key) {
@@ -96,22 +99,25 @@ struct Checker {
 
   // An array of one of the sizes (none: any), each entry checked by `entry`.
   template <class Entry>
-  void array(const Key& key, const toml::node& node, std::initializer_list<std::size_t> sizes,
-             Entry entry) const {
+  void array(const Key& key, const toml::node& node, std::initializer_list<std::size_t> sizes, Entry entry,
+             Role role = Role::whole) const {
     const auto* values = node.as_array();
     if (!values || (sizes.size() && std::ranges::find(sizes, values->size()) == sizes.end()))
-      wrong_type(key, node);
+      wrong_type(key, node, role);
     for (const toml::node& value : *values) entry(value);
   }
 
-  void numbers(const Key& key, const toml::node& node, std::initializer_list<std::size_t> sizes) const {
-    array(key, node, sizes, [&](const toml::node& value) { number(key, value); });
+  void numbers(const Key& key, const toml::node& node, std::initializer_list<std::size_t> sizes,
+               Role role = Role::whole) const {
+    array(
+        key, node, sizes, [&](const toml::node& value) { number(key, value, Role::element); }, role);
   }
-  void wholes(const Key& key, const toml::node& node) const {
-    array(key, node, {3}, [&](const toml::node& value) { whole(key, value); });
+  void wholes(const Key& key, const toml::node& node, Role role = Role::whole) const {
+    array(
+        key, node, {3}, [&](const toml::node& value) { whole(key, value, Role::element); }, role);
   }
   void texts(const Key& key, const toml::node& node, std::initializer_list<std::size_t> sizes) const {
-    array(key, node, sizes, [&](const toml::node& value) { word(key, value); });
+    array(key, node, sizes, [&](const toml::node& value) { word(key, value, Role::element); });
   }
 
   // A positive time in seconds, or the one word that stands for it.
@@ -123,8 +129,8 @@ struct Checker {
       number(in_seconds(key), node);
   }
 
-  void table(const Key& key, const toml::node& node) {
-    if (!node.is_table()) wrong_type(key, node);
+  void table(const Key& key, const toml::node& node, Role role = Role::whole) {
+    if (!node.is_table()) wrong_type(key, node, role);
     if (key.spec) table(*node.as_table(), *key.spec());
   }
 
@@ -150,9 +156,11 @@ struct Checker {
       case Kind::numbers:
         return numbers(key, node, {});
       case Kind::points:
-        return array(key, node, {}, [&](const toml::node& point) { numbers(key, point, {3}); });
+        return array(key, node, {},
+                     [&](const toml::node& point) { numbers(key, point, {3}, Role::element); });
       case Kind::triangles:
-        return array(key, node, {}, [&](const toml::node& triangle) { wholes(key, triangle); });
+        return array(key, node, {},
+                     [&](const toml::node& triangle) { wholes(key, triangle, Role::element); });
       case Kind::texts:
         return texts(key, node, {});
       case Kind::named:
@@ -165,7 +173,7 @@ struct Checker {
       case Kind::step:
         return step(key, node);
       case Kind::steps:
-        return array(key, node, {}, [&](const toml::node& s) { step(key, s); });
+        return array(key, node, {}, [&](const toml::node& s) { step(key, s, Role::element); });
       case Kind::sample:
         return seconds_or(key, node, "step");
       case Kind::until:
@@ -173,7 +181,7 @@ struct Checker {
       case Kind::table:
         return table(key, node);
       case Kind::tables:
-        return array(key, node, {}, [&](const toml::node& entry) { table(key, entry); });
+        return array(key, node, {}, [&](const toml::node& entry) { table(key, entry, Role::element); });
       case Kind::text_or_table:
         return node.is_string() ? word(key, node) : table(key, node);
     }

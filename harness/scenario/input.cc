@@ -61,14 +61,15 @@ std::string read_file(const std::filesystem::path& path) {
   return text;
 }
 
-double parse_step(std::string_view text) {
+double parse_step(std::string_view text, std::string_view option) {
   const auto slash = text.find('/');
   const auto top = real(text.substr(0, slash));
   const auto bottom = slash == std::string_view::npos ? std::optional(1.0) : real(text.substr(slash + 1));
   const double step = top && bottom ? *top / *bottom : std::nan("");
   if (!(step > 0) || !std::isfinite(step))
     throw core::InputError(
-        fmt::format("'{}' is no step; valid: a number > 0 of seconds, or a fraction like 1/60", text));
+        fmt::format("{}{}'{}' is no step; valid: a number > 0 of seconds, or a fraction like 1/60", option,
+                    option.empty() ? "" : ": ", text));
   return step;
 }
 

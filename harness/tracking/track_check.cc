@@ -1,6 +1,8 @@
 // cylon track check
 #include "harness/tracking/track.h"
 
+#include "reports/text.h"
+
 #include <fmt/format.h>
 
 #include <iostream>
@@ -33,8 +35,9 @@ Command add_track_check(App& app, const Context&) {
           fmt::format(
               "is forged: {}{}; restore a backup", seals.broken.front(),
               seals.broken.size() == 1 ? "" : fmt::format(" (and {} more)", seals.broken.size() - 1)));
-    std::cout << fmt::format("{}: {} runs, {} cells, sound; {} rows bear your seal, {} do not\n", *file,
-                             store.runs().size(), store.cells().size(), seals.own, seals.foreign);
+    std::cout << fmt::format("{}: {}, {}, sound; {} rows bear your seal, {} do not\n", *file,
+                             reports::counted(store.runs().size(), "run"),
+                             reports::counted(store.cells().size(), "cell"), seals.own, seals.foreign);
     return ok;
   };
 }

@@ -17,6 +17,7 @@
 #include "harness/study/cell_pool.h"
 #include "harness/study/instructions.h"
 #include "harness/study/side.h"
+#include "reports/text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -256,9 +257,9 @@ int record(const Context& context, Options options) {
     return harness_failure;
   }
   store->finish_run(run.id);
-  std::cout << fmt::format("{}: run {} of {}, {} cells{}\n", options.store, run.id,
+  std::cout << fmt::format("{}: run {} of {}, {}{}\n", options.store, run.id,
                            run.revision.empty() ? "no revision" : plain_line(run.revision),
-                           selection.cells.size(),
+                           reports::counted(selection.cells.size(), "cell"),
                            recorder.differing() == 0
                                ? ""
                                : fmt::format(", {} of them differ from expected.toml", recorder.differing()));

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <utility>
 
 namespace cylon::reports {
 namespace {
@@ -42,6 +43,17 @@ TEST(AdviceReport, TextSaysWhatBuildItsCostsAreOf) {
             std::string::npos)
       << text;
   EXPECT_EQ(text.find("ode: costs"), std::string::npos) << text;
+}
+
+TEST(AdviceReport, AMarginHasTwoDigits) {
+  const std::pair<double, const char*> rows[] = {
+      {0.0043, ", 2.3 times below"}, {0.00043, ", 23 times below"}, {5.95e-15, ", 1.7e+12 times below"}};
+  for (const auto& [error, says] : rows) {
+    results::Advice all = advice();
+    all.engines[0].pick->error = error;
+    const std::string text = advice_text(all, plain);
+    EXPECT_NE(text.find(says), std::string::npos) << text;
+  }
 }
 
 TEST(AdviceReport, AStepIsNamedWithItsSubsteps) {

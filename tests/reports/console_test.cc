@@ -262,6 +262,22 @@ TEST(Console, DetailsListEveryClaimUnderItsRun) {
   EXPECT_EQ(console_details({}, plain), "");
 }
 
+// What did not run had "allowed 0 J".
+TEST(Console, DetailsLeaveAllowedBlankWhereNothingWasMeasured) {
+  for (const auto& [status, shows] : {std::pair{Status::pass, true},
+                                      {Status::undecided, true},
+                                      {Status::non_finite, true},
+                                      {Status::unsupported, false},
+                                      {Status::crash, false},
+                                      {Status::timeout, false},
+                                      {Status::protocol, false}}) {
+    Verdict v = make("top", "bullet", status);
+    v.allowed = 0.25;
+    const std::string text = console_details({v}, plain);
+    EXPECT_EQ(contains(text, "0.25 J"), shows) << text;
+  }
+}
+
 TEST(Console, SaysWhichCostIsNotVerified) {
   Verdict v = make("top", "bullet", Status::pass);
   v.cpu_seconds = 3e-5, v.body_steps = 100;

@@ -320,6 +320,22 @@ TEST(Csv, KeepsCommasQuotesAndLineEnds) {
   EXPECT_EQ(lines[1][column(lines[0], "measured")], "");
 }
 
+TEST(Csv, LeavesAllowedBlankWhereNothingWasMeasured) {
+  using enum results::Status;
+  for (const auto& [status, allowed] : {std::pair{pass, "0.25"},
+                                        {undecided, "0.25"},
+                                        {non_finite, "0.25"},
+                                        {unsupported, ""},
+                                        {crash, ""},
+                                        {timeout, ""},
+                                        {protocol, ""}}) {
+    Verdict v;
+    v.status = status, v.allowed = 0.25;
+    const auto lines = parse_csv(to_csv({v}));
+    EXPECT_EQ(lines[1][column(lines[0], "allowed")], allowed) << results::name(status);
+  }
+}
+
 TEST(Csv, EscapesFormulasAndControlCharacters) {
   for (const std::string start : {"=cmd|' /C calc'!A0", "+1", "-1+1", "@SUM(A1)", "\t=1", "\r=1", "＝1"}) {
     Verdict v;

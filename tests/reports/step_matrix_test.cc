@@ -102,6 +102,9 @@ TEST(StepMatrix, NamesTheCauseWhereNoStepServes) {
   EXPECT_TRUE(contains(text, "; cause: gyroscopic_term")) << text;
   const auto cells = results::step_cells(table_of({known}));
   EXPECT_FALSE(contains(cells[0].reach[0].why, "cause")) << "reached";
+  TradeSeries once = stepped("ode", {0.06}, std::nan(""));
+  once.cause = "gyroscopic_term";
+  EXPECT_FALSE(contains(results::step_cells(table_of({once}))[0].reach[0].why, "cause")) << "one step";
 }
 
 TEST(StepMatrix, SaysWhyNoStepServes) {
@@ -125,6 +128,7 @@ TEST(StepMatrix, SaysWhyNoStepServes) {
               {stepped("bullet", {0.24, 0.06, 0.015, 0.0037}, 2), "needs about 0.00066 s at this order"},
               {stepped("bullet", {1.4, 1.2, 0.9}, 0.2), "never near: error 0.9 at 0.008 s"},
               {stepped("bullet", {0.04, 0.05, 0.03}, nan), "error 0.03 at 0.008 s, falls with no order"},
+              {stepped("bullet", {0.04}, nan), "error 0.04 at 0.032 s, too few steps tried for an order"},
               {stepped("bullet", {nan, nan}, nan), "no run ends: crash, signal 11"},
               {stepped("bullet", {0.03, 0.00004, 0.02}, 1), "met at single steps only: the error scatters"},
               {floor, "stays at 0.0004 below 0.008 s: rounding in single precision"},

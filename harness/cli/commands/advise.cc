@@ -128,7 +128,7 @@ Command add_advise(App& app, const Context& context) {
   add_integrators_option(app, options->wanted.integrators, "all integrators of each engine");
   app.add_option("--work", options->work, "Largest number of bodies times steps of one run")
       ->type_name("N")
-      ->capture_default_str()
+      ->default_str(fmt::format("{:.0f}", options->work))
       ->check(positive(1e12));
   app.add_option("--rounds", options->how.rounds, "Number of timings of each finalist, interleaved")
       ->type_name("N")

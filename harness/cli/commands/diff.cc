@@ -65,7 +65,8 @@ Side side(const Context& context, const Options& options, const scenario::Scenar
   const std::size_t at = word.rfind('@');
   const std::string step = at == std::string::npos ? options.dt : word.substr(at + 1);
   result.engine = process::parse_engine(word.substr(0, at), with_brought(context, options.brought));
-  result.dt = step.empty() ? scenario.step : scenario::parse_step(step);
+  result.dt =
+      step.empty() ? scenario.step : scenario::parse_step(step, at == std::string::npos ? "--dt" : word);
   try {
     core::whole_steps(scenario.duration, result.dt);
   } catch (const std::invalid_argument& error) {

@@ -153,7 +153,7 @@ std::string told(const validation::HorizonSummary& s, int members) {
 
 void set_step(measured::Experiment& e, const std::string& step) {
   if (step.empty()) return;
-  e.model.step = scenario::parse_step(step);
+  e.model.step = scenario::parse_step(step, "--dt");
   try {
     core::whole_steps(1 / e.rate, e.model.step);
   } catch (const std::invalid_argument& error) {
@@ -175,7 +175,8 @@ measured::Experiment set_values(const measured::Experiment& e, const std::vector
   std::vector<std::string> names;
   for (const measured::Parameter& p : e.parameters) names.push_back(p.name);
   for (const std::string& word : values) {
-    const std::size_t at = std::min(word.find('='), word.size());
+    const std::size_t at = word.find('=');
+    if (at == std::string::npos) throw core::InputError(fmt::format("--set {}: must be NAME=VALUE", word));
     const auto found = std::ranges::find(e.parameters, word.substr(0, at), &measured::Parameter::name);
     if (found == e.parameters.end())
       throw core::InputError(fmt::format("--set {}: {} has no parameter '{}'{}", word, e.file,
@@ -184,7 +185,7 @@ measured::Experiment set_values(const measured::Experiment& e, const std::vector
       throw core::InputError(fmt::format("--set {}: '{}' twice", word, found->name));
     double value = std::nan("");
     const char* end = word.data() + word.size();
-    if (at == word.size() || std::from_chars(word.data() + at + 1, end, value).ptr != end ||
+    if (std::from_chars(word.data() + at + 1, end, value).ptr != end ||
         !(found->low <= value && value <= found->high))
       throw core::InputError(
           fmt::format("--set {}: a number in [{:g}, {:g}] must follow '='", word, found->low, found->high));

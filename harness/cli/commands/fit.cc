@@ -16,6 +16,7 @@
 #include "harness/study/parallel.h"
 #include "harness/study/session_runner.h"
 #include "harness/validation/split.h"
+#include "reports/text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -186,7 +187,8 @@ int fit(const Context& context, const Options& options) {
                                 e.fit.horizon))
       << '\n';
   for (std::size_t k = 0; k < parts.size(); ++k)
-    out << plain_line(fmt::format("  part {}: judged on {} runs: {}", k + 1, parts[k].by.size(),
+    out << plain_line(fmt::format("  part {}: judged on {}: {}", k + 1,
+                                  reports::counted(parts[k].by.size(), "run"),
                                   fmt::join(names_of(e, parts[k].by), " ")))
         << '\n';
   out << told_kinematics(e)

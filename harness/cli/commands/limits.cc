@@ -139,6 +139,7 @@ LimitRow search_family(const Task& task, const process::Limits& limits) {
   const study::Family& family = *task.family;
   LimitRow row{family.name, family.asks, family.unit, family.breaks, task.engine.id, task.integrator, "",
                {},          0,           {}};
+  row.downward = family.range.downward;
   row.theory = family.theory(task.name, task.integrator);
   const study::Runner runner = study::worker_runner(task.engine, limits);
   try {

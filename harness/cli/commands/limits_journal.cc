@@ -27,6 +27,7 @@ json to_json(const LimitRow& row) {
   j["kind"] = static_cast<int>(row.limit.kind);
   j["holds_at"] = row.limit.holds, j["breaks_at"] = row.limit.breaks, j["what"] = row.limit.what;
   j["holds_again"] = row.limit.holds_again, j["runs"] = row.limit.runs, j["value"] = row.value;
+  j["downward"] = row.downward;
   if (row.theory) j["theory"] = std::isinf(*row.theory) ? json("none") : json(*row.theory);
   return j;
 }
@@ -40,6 +41,7 @@ LimitRow from_json(const json& j) {
   row.limit.holds = j.at("holds_at"), row.limit.breaks = j.at("breaks_at"), row.limit.what = j.at("what");
   row.limit.holds_again = j.at("holds_again").get<std::vector<double>>();
   row.limit.runs = j.at("runs"), row.value = j.at("value");
+  row.downward = j.value("downward", false);  // journals of 0.3 and before lack it
   if (j.contains("theory"))
     row.theory =
         j.at("theory").is_string() ? std::numeric_limits<double>::infinity() : j.at("theory").get<double>();

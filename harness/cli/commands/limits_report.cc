@@ -16,13 +16,13 @@ std::string word(Kind kind) {
   return kind == Kind::found ? "limit" : kind == Kind::none ? "none" : "nowhere";
 }
 
-// "2.0001", "none up to 100", "breaks at 0.01 already".
+// "2.0001", "no limit up to 100", "no limit down to 1e-09", "fails at 0.01".
 std::string limit_text(const LimitRow& row) {
   if (!row.unsupported.empty()) return "unsupported";
   const bool falls = row.limit.kind != Kind::found;
   if (!falls) return fmt::format("{:.4g}", row.value);
-  return row.limit.kind == Kind::none ? fmt::format("no limit up to {:.4g}", row.limit.holds)
-                                      : fmt::format("fails at {:.4g}", row.limit.breaks);
+  if (row.limit.kind == Kind::nowhere) return fmt::format("fails at {:.4g}", row.limit.breaks);
+  return fmt::format("no limit {} to {:.4g}", row.downward ? "down" : "up", row.limit.holds);
 }
 
 std::string theory_text(const LimitRow& row) {

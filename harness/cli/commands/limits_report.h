@@ -16,6 +16,7 @@ struct LimitRow {
   study::Limit limit;       ///< In the parameter's unit; of steps converted to seconds.
   double value = 0;
   std::optional<double> theory;  ///< 0: never holds; infinity: never breaks.
+  bool downward = false;         ///< The least value that holds was sought.
 
   /// Measured over theory, where both are numbers > 0.
   std::optional<double> ratio() const;

@@ -95,7 +95,7 @@ std::vector<std::string> asked(const Options& o) {
 
 int matrix(const Context& context, const Options& options) {
   require_writable(std::vector<std::string>{options.json, options.html});
-  const double at = options.at.empty() ? 0 : scenario::parse_step(options.at);
+  const double at = options.at.empty() ? 0 : scenario::parse_step(options.at, "--at");
   if (at > 0 && at < options.finest)
     throw core::InputError(
         fmt::format("--at: {:g} s is below --finest, {:g} s: no such step is tried", at, options.finest));
@@ -140,15 +140,7 @@ Command add_matrix(App& app, const Context& context) {
                  "Quantity whose error decides: trajectory, position, energy, events, …; default: trajectory "
                  "where an exact solution is known")
       ->type_name("NAME");
-  app.add_option("--rounds", options->rounds,
-                 "Number of timings of each setting, interleaved; the shortest counts. 0: no timing")
-      ->type_name("N")
-      ->capture_default_str()
-      ->check(in_range(0, 1000));
-  add_jobs_option(app, options->jobs,
-                  "Number of runs at the same time while errors are measured; default: all processors. Timed "
-                  "runs never overlap");
-  add_timeout_option(app, options->timeout);
+  add_sweep_options(app, options->rounds, options->jobs, options->timeout);
   app.add_option("--json", options->json,
                  "Write the sweeps as `cylon trade --json` does, for `cylon report`; - is stdout")
       ->type_name("FILE");

@@ -56,7 +56,7 @@ int plan(const Context& context, const Options& options) {
   const process::EngineChoice engine = choose(context, options.asked);
   process::RunRequest request;
   request.scene = &scenario.scene;
-  request.setup.dt = options.dt.empty() ? scenario.step : scenario::parse_step(options.dt);
+  request.setup.dt = options.dt.empty() ? scenario.step : scenario::parse_step(options.dt, "--dt");
   request.setup.tolerance = options.asked.tolerance;
   const process::Interruptible until_told;
   const process::RunOutcome outcome = process::run(engine, request);
@@ -82,7 +82,10 @@ int plan(const Context& context, const Options& options) {
 
 Command add_plan(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
-  add_asked(app, options->asked);
+  add_asked(
+      app, options->asked,
+      "Engine id, with a variant after '/': in-house/joints=constraints. Only in-house and in-house-float "
+      "have a plan, and engines of your own that report one");
   add_step_option(app, options->dt);
   app.add_flag("--json", options->json, "As JSON");
   return [=, &context] { return plan(context, *options); };

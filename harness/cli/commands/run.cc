@@ -84,7 +84,8 @@ int run(const Context& context, const RunOptions& options) {
   if (options.trajectories != Trajectories::all && options.html.empty() && options.traces.empty())
     throw core::InputError("--trajectories: nothing holds trajectories; give --html or --traces");
   if (!options.plots.empty() && !fs::is_directory(options.plots))
-    throw core::InputError(fmt::format("--plots {}: no such folder", options.plots));
+    throw core::InputError(fmt::format("--plots {}: {}", options.plots,
+                                       fs::exists(options.plots) ? "is no folder" : "no such folder"));
   const scenario::Expectations expectations = cli::expectations(context);
 
   const std::optional<Shard> shard = shard_asked(options.shard, context.farm);

@@ -81,7 +81,7 @@ std::int64_t stride(const Options& options, double dt) {
 // The grid of the printed times.  An error-controlled integrator needs no step: without --dt the times that
 // are asked for make the grid, their greatest common divisor in nanoseconds.
 double grid(const Options& options, const scenario::Scenario& scenario) {
-  if (!options.dt.empty()) return scenario::parse_step(options.dt);
+  if (!options.dt.empty()) return scenario::parse_step(options.dt, "--dt");
   if (options.asked.tolerance == 0) return scenario.step;
   if (options.every > 0) return options.every;
   std::int64_t divisor = 0;  // [ns]
@@ -153,6 +153,7 @@ int simulate(const Context& context, const Options& options) {
   const scenario::Scenario scenario = scenario::read(find_scenario(context, options.asked.file));
   process::EngineChoice engine = choose(context, options.asked);
   if (!options.account.empty()) {
+    require_option(engine, "--account", "account");
     require_balance(scenario.scene);
     engine.options["account"] = "yes";
   }

@@ -38,11 +38,7 @@ study::Ladder ladder_for(const Options& options, const scenario::Scenario& scena
     return study::ladder(scenario, options.rungs, static_cast<std::int64_t>(options.work / bodies));
   }
   std::vector<double> steps;
-  for (const std::string& word : options.steps) try {
-      steps.push_back(scenario::parse_step(word));
-    } catch (const core::InputError& error) {
-      throw core::InputError(fmt::format("--dt: {}", error.what()));
-    }
+  for (const std::string& word : options.steps) steps.push_back(scenario::parse_step(word, "--dt"));
   return study::ladder(scenario, steps);
 }
 
@@ -148,15 +144,7 @@ Command add_trade(App& app, const Context& context) {
   app.add_option("--target", options->target, "An error of interest: the tables show the cost to reach it")
       ->type_name("X")
       ->check(positive(1e6));
-  app.add_option("--rounds", options->rounds,
-                 "Number of timings of each setting, interleaved; the shortest counts. 0: no timing")
-      ->type_name("N")
-      ->capture_default_str()
-      ->check(in_range(0, 1000));
-  add_jobs_option(app, options->jobs,
-                  "Number of runs at the same time while errors are measured; default: all processors. Timed "
-                  "runs never overlap");
-  add_timeout_option(app, options->timeout);
+  add_sweep_options(app, options->rounds, options->jobs, options->timeout);
   app.add_option("--json", options->json,
                  "Write the tables as JSON, with times in a separate part; - is stdout")
       ->type_name("FILE");

@@ -71,8 +71,16 @@ Command add_validate(App& app, const Context& context) {
       }
     };
     for (const std::string& name : options->files) attempt([&] { check(find_scenario(context, name)); });
-    if (options->files.empty())
-      for (const auto& file : scenario_files(context)) attempt([&] { check(file); });
+    if (options->files.empty()) {
+      const auto shipped = scenario_files(context);
+      if (shipped.empty()) {
+        std::cerr << plain_line(
+                         fmt::format("nothing selected: no scenario in {}", context.scenarios.string()))
+                  << '\n';
+        return nothing_selected;
+      }
+      for (const auto& file : shipped) attempt([&] { check(file); });
+    }
     return good ? ok : bad_input;
   };
 }

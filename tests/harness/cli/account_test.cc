@@ -69,7 +69,8 @@ TEST_F(CommandLine, AccountRefusals) {
   } rows[] = {{"weight.toml --account -", "stdout has the states"},
               {"rocket.toml --account works.csv", "a mass changes"},
               {"frame.toml --account works.csv", "the frame turns"},
-              {"weight.toml --account works.csv --engine ode", "account"},
+              {"weight.toml --account works.csv --engine ode",
+               "--account: engine 'ode' has no option 'account'; it is for the in-house engine alone"},
               {"weight.toml --account nowhere/works.csv", "nowhere"},
               {"cube_stack --account works.csv", "the work of each force"}};
   for (const auto& row : rows) {

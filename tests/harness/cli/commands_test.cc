@@ -47,6 +47,16 @@ TEST_F(CommandLine, ExitCodesAndMessages) {
       {"run projectile --integrator rk44", 2, "did you mean 'rk4'?"},
       {"run --suite simbenchmar", 2, "did you mean 'simbenchmark'?"},
       {"run projectile --dt 0.3", 2, "the nearest step that fits is 0.26666666666666666 s"},
+      {"run projectile --dt 10", 2, "the nearest step that fits is 0.8 s"},
+      {"run projectile --dt 1ms", 2, "--dt: '1ms' is no step"},
+      {"simulate projectile --dt 1ms", 2, "--dt: '1ms' is no step"},
+      {"matrix projectile --at 1ms", 2, "--at: '1ms' is no step"},
+      {"diff projectile in-house ode@1ms", 2, "ode@1ms: '1ms' is no step"},
+      {"run projectile --plots nowhere", 2, "--plots nowhere: no such folder"},
+      {"run projectile --plots /dev/null", 2, "--plots /dev/null: is no folder"},
+      {"plan --help", 0, "Only in-house and in-house-float have a plan"},
+      {"simulate --help", 0, "bullet/gyro=none"},
+      {"advise --help", 0, "1048576"},
       {"run projectile --worker mine=/no/such", 2, "there is no program '/no/such'"},
       {"run projectile --engine mine --worker mine=/bin/false", 5, "exited 1"},
       {"run projectile --engine in-house", 0, "4 pass"},
@@ -68,6 +78,17 @@ TEST_F(CommandLine, ExitCodesAndMessages) {
                                                                    << ran.out << ran.err;
     EXPECT_EQ((ran.out + ran.err).find('\x1b'), std::string::npos)
         << "colour in a pipe: cylon " << c.arguments;
+  }
+}
+
+// validate ended with 0, and said nothing.
+TEST_F(CommandLine, FolderWithoutScenariosSelectsNothing) {
+  std::filesystem::create_directory(folder / "none");
+  for (const char* command : {"validate", "list"}) {
+    const Ran ran = shell(std::string("CYLON_SCENARIOS=none exec cylon ") + command);
+    EXPECT_EQ(ran.code, 4) << command << ran.out << ran.err;
+    EXPECT_NE((ran.out + ran.err).find("nothing selected"), std::string::npos)
+        << command << ran.out << ran.err;
   }
 }
 

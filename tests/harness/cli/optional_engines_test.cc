@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <fstream>
 
 namespace cylon::cli {
 namespace {
@@ -76,6 +77,19 @@ TEST_F(OptionalEngines, AreNoFailureOfTheMachine) {
   EXPECT_EQ(ran.out.find("FAIL"), std::string::npos) << ran.out;
 }
 
+// There is no row of any version, so a missing one says nothing.  The worker of another engine stands for one that is
+// here.
+TEST_F(OptionalEngines, AreExpectedToGiveNoVerdicts) {
+  fs::create_symlink(fs::path(binary_dir) / "cylon-worker-ode", folder / "workers/cylon-worker-mujoco");
+  const Ran ran = cylon("doctor");
+  EXPECT_EQ(ran.code, 0) << ran.out << ran.err;
+  const std::size_t at = ran.out.find("ok    engine mujoco: ");
+  ASSERT_NE(at, std::string::npos) << ran.out;
+  const std::string line = ran.out.substr(at, ran.out.find('\n', at) - at);
+  EXPECT_NE(line.find("no verdicts are expected of optional engines"), std::string::npos) << line;
+  EXPECT_EQ(line.find("no row"), std::string::npos) << line;
+}
+
 // One engine asked for one thing cannot do it: that is told as for any worker that cannot be had.
 TEST_F(OptionalEngines, CannotBeSimulated) {
   const Ran ran = cylon("simulate projectile --engine mujoco");
@@ -125,6 +139,28 @@ TEST(OptionalEnginesTable, HasRowsThatSayWhatBringsThem) {
   EXPECT_GT(optional, 0);
   for (const process::EngineRow& row : process::usual(process::default_engines("/no/such/folder")))
     EXPECT_FALSE(row.optional()) << row.id;
+}
+
+// Its library was taken away after it was built; the loader ends it with 127.  That is a broken installation, as of any
+// worker that cannot start, and the other engine has its verdicts.
+TEST_F(OptionalEngines, SayWhatBringsALibraryThatIsGone) {
+  std::ofstream(folder / "workers/cylon-worker-mujoco")
+      << "#!/bin/sh\necho 'libmujoco.so.2.2.2: cannot open shared object file' >&2\nexit 127\n";
+  fs::permissions(folder / "workers/cylon-worker-mujoco", fs::perms::owner_all);
+  const Ran ran = cylon("run projectile --engine in-house --engine mujoco --json rows.json");
+  EXPECT_EQ(ran.code, 5) << ran.out << ran.err;
+  const json written = json::parse(read("rows.json"));
+  int rows = 0;
+  for (const json& row : written.at("verdicts")) {
+    if (row.at("engine") != "mujoco") continue;
+    ++rows;
+    EXPECT_EQ(row.at("status"), "unsupported");
+    const auto detail = row.at("detail").get<std::string>();
+    EXPECT_NE(detail.find("cannot open shared object file; `./run engines` brings what it needs"),
+              std::string::npos)
+        << detail;
+  }
+  EXPECT_EQ(rows, 4);
 }
 
 // Of one that is here.

@@ -226,6 +226,7 @@ TEST_F(PredictCommand, TellsWhichColumnsDoNotGoTogether) {
   EXPECT_EQ(document("p.json")["kinematics"]["spin"]["goes_together"], "no");
   const Ran fitted = cylon("fit swings.toml --engine ode --parameters inertia --runs 2");
   EXPECT_NE(fitted.out.find(wrong), std::string::npos) << fitted.out << fitted.err;
+  EXPECT_NE(fitted.out.find("judged on 1 run: "), std::string::npos) << fitted.out;
 }
 
 TEST_F(PredictCommand, StatesTheDiscrepancyOfItsBand) {
@@ -268,6 +269,20 @@ TEST_F(PredictCommand, JudgesNoBandOfAnotherLevel) {
   EXPECT_EQ(document("p.json")["engines"][0]["band"], "undecided");
   const Ran usual = cylon("predict swings.toml --engine ode");
   EXPECT_NE(usual.out.find("; 90 to 98 %: "), std::string::npos) << usual.out;
+}
+
+TEST_F(PredictCommand, RefusesValuesThatItCannotTake) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"nosuch", "--set nosuch: must be NAME=VALUE"},
+      {"inertia", "--set inertia: must be NAME=VALUE"},
+      {"inerta=1", "has no parameter 'inerta', did you mean 'inertia'?"},
+      {"inertia=", "a number in [0.3, 5] must follow '='"},
+      {"inertia=9", "a number in [0.3, 5] must follow '='"}};
+  for (const auto& [value, why] : cases) {
+    const Ran ran = cylon(std::string("predict swings.toml --set ") + value);
+    EXPECT_EQ(ran.code, 2) << value << ran.out;
+    EXPECT_NE(ran.err.find(why), std::string::npos) << value << ran.err;
+  }
 }
 
 TEST_F(PredictCommand, RefusesFitsThatItCannotTake) {

@@ -77,6 +77,13 @@ TEST_F(Recorded, StoresVerdictOfCrashedEngine) {
   EXPECT_TRUE(results[0].samples.empty());
 }
 
+TEST_F(Recorded, OneCellIsNoCells) {
+  const auto recorded = cylon("track record projectile --engine in-house --repetitions 0 --store one.db");
+  EXPECT_NE(recorded.out.find(", 1 cell\n"), std::string::npos) << recorded.out << recorded.err;
+  const auto checked = cylon("track check --store one.db");
+  EXPECT_NE(checked.out.find(": 1 run, 1 cell, sound"), std::string::npos) << checked.out << checked.err;
+}
+
 TEST_F(Recorded, HistoryRoundTripsOnCommandLine) {
   ASSERT_EQ(cylon("track record projectile --engine in-house --engine ode --repetitions 2 --store h.db").code,
             0);

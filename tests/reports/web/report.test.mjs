@@ -261,6 +261,39 @@ test('on paper there are no controls, and the matrix is whole', async () => {
   assert.equal((await scenarios(page)).length, 4);
 });
 
+/** Texts of what `selector` finds that take more than one line. */
+const broken = (page, selector) =>
+  page.locator(selector).evaluateAll((found) => found.filter((e) => e.getClientRects().length > 1).map((e) => e.textContent));
+
+test('on a narrow screen badges and numbers with their units stay whole, and names break between words', async () => {
+  run(folder, ['run', 'bouncing_sphere', '--engine', 'in-house/path=stepping', '--html', 'narrow.html'], 1);
+  const page = await open(url('narrow.html'), { width: 500, height: 800 });
+  const name = page.locator('table.matrix tbody th .name').first();
+  await name.waitFor();
+  assert.equal(await name.innerHTML(), 'bouncing_<wbr>sphere');
+  assert.ok((await page.locator('.differs').count()) > 1);
+  assert.deepEqual(await broken(page, '.cell .differs'), []);
+  await page.locator('table.matrix .cell').first().click();
+  await page.locator('#run-heading').waitFor();
+  assert.ok((await page.locator('.notes .unbroken').allTextContents()).some((text) => /e-\d+ m\/s$|e-\d+ m$|e-\d+ s$/.test(text)));
+  assert.deepEqual(await broken(page, '.differs, .unbroken'), []);
+});
+
+test('the run of a cell counts one body as one, and prints its step once', async () => {
+  const page = await open(url('r.html'));
+  await openCell(page, 'dzhanibekov', 'ode');
+  const [v] = verdicts.filter((row) => row.scenario === 'dzhanibekov' && row.engine === 'ode');
+  const text = await page.locator('section[aria-labelledby="run-heading"]').innerText();
+  assert.match(text, /\b1 body, tags/);
+  assert.equal(text.includes(`step\n${v.dt_text} s\n`), Number(v.dt_text) === v.dt, text);
+});
+
+test('sentences about costs are apart', async () => {
+  const page = await open(url('r.html', '#section=performance'));
+  await page.locator('#costs-heading').waitFor();
+  assert.match(await page.locator('main').innerText(), /cost more than steps\. To decide/);
+});
+
 test('on a narrow screen nothing but tables scrolls sideways', async () => {
   const page = await open(url('r.html'), { width: 400, height: 800 });
   await openCell(page, 'heavy_top', 'bullet');

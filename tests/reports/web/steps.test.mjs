@@ -34,8 +34,11 @@ test('a cell says the step that the sweep found, or why there is none', async ()
   const text = await page.locator('table.steps > tbody > tr > td').first().innerText();
   const cell = table.cells.find(({ series }) => table.series[series].engine === 'ode');
   const { points } = table.series[cell.series];
+  const time = / [\d.e+-]+ s\b/; // printed with a prefix
   for (const { point, why } of cell.reach)
-    assert.ok(text.includes(point === null ? why : `${1000 * points[point].dt >= 1 ? 1000 * points[point].dt : 1e6 * points[point].dt}`), text);
+    for (const words of point === null ? why.split(time) : [`${1000 * points[point].dt >= 1 ? 1000 * points[point].dt : 1e6 * points[point].dt}`])
+      assert.ok(text.includes(words), text);
+  assert.doesNotMatch(text, /e-\d+ s\b/);
 });
 
 test('one choice shows digits at a step', async () => {
@@ -45,6 +48,26 @@ test('one choice shows digits at a step', async () => {
   const { points } = table.series.find(({ engine }) => engine === 'ode');
   const digits = -Math.log10(points.find(({ dt }) => dt <= 0.001 * (1 + 1e-9)).errors.trajectory);
   assert.ok(text.startsWith(digits.toFixed(1)), text);
+});
+
+test('a run of a sweep that ended is no pass', async () => {
+  const page = await open(`${url}#section=trade`);
+  await page.locator('#trade-heading').waitFor();
+  const text = await page.locator('main').innerText();
+  assert.match(text, /\bran\b/);
+  assert.doesNotMatch(text, /\u2713|\bpass\b/);
+});
+
+test('two sweeps of one scenario say what made them, and are one scenario', async () => {
+  run(folder, ['trade', 'projectile', '--engine', 'ode', '--rounds', '1', '--json', 'tr.json']);
+  run(folder, ['report', 'm.json', 'tr.json', '--html', 'both.html']);
+  const page = await open(`file://${join(folder, 'both.html')}`);
+  assert.match(await page.locator('section[aria-labelledby="steps-heading"] .count').innerText(), /^1 scenario, /);
+  const rows = page.locator('table.steps > tbody > tr > th');
+  assert.match((await rows.allInnerTexts()).join('\n'), /^projectile\s+of cylon matrix\s[^]*^projectile\s+of cylon trade\s/m);
+  await rows.nth(1).getByRole('link').click();
+  assert.equal(await page.locator('section[aria-labelledby="trade-heading"] select').first().inputValue(), 'projectile (2)');
+  assert.deepEqual(page.faults, []);
 });
 
 test('a report opens with the steps; the digits of the verdicts are one click away', async () => {

@@ -51,6 +51,13 @@ export function duration(seconds: number | null | undefined): string {
   return seconds === 0 ? '0 s' : `${short(seconds / scale, 3)} ${prefix}s`;
 }
 
+/** Seconds in a sentence of the program as durations: "about 4.9e-05 s" to "about 49 \u00b5s". */
+export function withDurations(text: string): string {
+  return text.replace(/(?<![\w.+-])(\d{1,20}(?:\.\d{1,20})?(?:e[-+]\d{1,3})?) s(?![\w/^])/g, (_, seconds: string) =>
+    duration(Number(seconds)),
+  );
+}
+
 export function count(n: number, one: string, many = `${one}s`): string {
   return `${n} ${n === 1 ? one : many}`;
 }

@@ -8,6 +8,7 @@ import { type Matrix, supported } from './fold';
 import { count, digitsText, withUnit } from './numbers';
 import { worstFirst } from './status';
 import { StatusMark } from './status_mark';
+import { Name } from './text';
 import { type Summary, summary, warnings } from './summary';
 import { useFew } from './use_few';
 import { CellName, VerdictTable } from './verdict_table';
@@ -35,7 +36,7 @@ function ChangeRow({ change }: { change: Change }) {
     <tr>
       <th scope="row">
         {kind === 'gone' ? (
-          `${visible(verdict.scenario)} / ${visible(verdict.engine)}`
+          <Name text={`${verdict.scenario} / ${verdict.engine}`} />
         ) : (
           <CellName verdict={verdict} />
         )}

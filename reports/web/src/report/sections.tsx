@@ -8,6 +8,7 @@ import { dataSets } from './measured/data_sets';
 import { MeasuredSection } from './measured/measured_section';
 import { PerformanceSection } from './performance/performance_section';
 import { ProvenanceSection } from './provenance';
+import { stepScenarios } from './steps/fold_steps';
 import { StepsSection } from './steps/steps_section';
 import { TradeSection } from './trade/trade_section';
 
@@ -25,7 +26,7 @@ export const sections: Section[] = [
     id: 'steps',
     label: 'Steps',
     view: StepsSection,
-    size: (index) => sum(index.trades.map((t) => t.tables.filter(({ cells }) => cells))),
+    size: (index) => stepScenarios(index.trades),
   },
   { id: 'matrix', label: 'Verdicts', view: null, size: (index) => index.results.verdicts.length },
   {

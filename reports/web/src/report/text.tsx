@@ -28,12 +28,42 @@ function More({ rest, open }: { rest: number; open: () => void }) {
   );
 }
 
+const unit = ' (?:[mnp\u00b5]?s|m?m|m?rad|kg|[JNW%])(?:[/^][\\w/^]{1,8})?(?![\\w^])';
+const number = '[-+]?\\d{1,20}(?:\\.\\d{1,20})?';
+const quantity = new RegExp(`((?<![\\w.])${number}(?:e[-+]?\\d{1,3}(?:${unit})?|${unit}))`); // few digits: one line holds them
+
+/** Text in which a number stays on one line with its exponent and its unit: "1.488e-12 rad". */
+export function Numbers({ text }: { text: string }) {
+  const parts = visible(text).split(quantity); // every second one is a quantity
+  return (
+    <>
+      {parts.map((part, i) =>
+        i % 2 === 0 ? (
+          part
+        ) : (
+          <span key={i} class="unbroken">
+            {part}
+          </span>
+        ),
+      )}
+    </>
+  );
+}
+
+/** The name of a scenario or an engine, which may break where its words meet: "bouncing_" "sphere". */
+export function Name({ text }: { text: string }) {
+  const parts = visible(text).split(/(?<=[/=_-])/);
+  return <>{parts.flatMap((part, i) => (i === 0 ? [part] : [<wbr key={i} />, part]))}</>;
+}
+
 /** Within a line. */
 export function Foreign({ text }: { text: string }) {
   const { shown, rest, open } = useFold(text);
   return (
     <>
-      <bdi>{visible(shown)}</bdi>
+      <bdi>
+        <Numbers text={shown} />
+      </bdi>
       <More rest={rest} open={open} />
     </>
   );

@@ -6,7 +6,7 @@ import { cellAddress, link } from './address';
 import { digitsText, withInterval, withUnit } from './numbers';
 import { digits, isMeasured } from './status';
 import { StatusMark } from './status_mark';
-import { Foreign } from './text';
+import { Foreign, Name } from './text';
 import { useFew } from './use_few';
 import { visible } from './visible';
 
@@ -14,7 +14,7 @@ export function CellName({ verdict: v }: { verdict: Verdict }) {
   const name = { scenario: v.scenario, engine: v.engine, integrator: v.integrator, dt: v.dt_text };
   return (
     <a href={link(cellAddress(name))}>
-      {visible(v.scenario)} / {visible(v.engine)}
+      <Name text={`${v.scenario} / ${v.engine}`} />
     </a>
   );
 }

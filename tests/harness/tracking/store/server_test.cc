@@ -37,7 +37,7 @@ TEST_F(ServerStore, KeepsAHistory) {
   EXPECT_EQ(recorded.code, 0) << recorded.err;
   const cli::Ran checked = track("check");
   EXPECT_EQ(checked.code, 0) << checked.err;
-  EXPECT_NE(checked.out.find("1 runs, 1 cells, sound; 2 rows bear your seal, 0 do not"), std::string::npos)
+  EXPECT_NE(checked.out.find("1 run, 1 cell, sound; 2 rows bear your seal, 0 do not"), std::string::npos)
       << checked.out;
   const cli::Ran exported = track("export a.jsonl");
   EXPECT_EQ(exported.code, 0) << exported.err;

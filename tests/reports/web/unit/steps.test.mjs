@@ -50,6 +50,21 @@ test('a step stands with its own cost, and what is not reached with its reason',
   assert.equal(rows[0].cells.get('in-house').avoidable, 'bullet');
 });
 
+const of = (command_line) => ({ ...trade, provenance: { command_line } });
+
+for (const [what, trades, sources] of [
+  ['one sweep', [of('cylon matrix throw')], ['']],
+  ['a matrix and a trade', [of('/trade/cylon matrix throw'), of('cylon trade throw --engine ode')], ['cylon matrix', 'cylon trade']],
+  ['two of one command', [of('cylon matrix throw'), of('cylon matrix throw')], ['cylon matrix (1)', 'cylon matrix (2)']],
+  ['sweeps that do not say', [trade, of('')], ['file (1)', 'file (2)']],
+])
+  test(`${what}: rows of one scenario say which sweep they are of, and count once`, () => {
+    const { rows, scenarios } = foldSteps(trades);
+    assert.deepEqual(rows.map(({ source }) => source), sources);
+    assert.deepEqual(rows.map(({ sweep }) => sweep), trades.length > 1 ? ['throw (1)', 'throw (2)'] : ['throw']);
+    assert.equal(scenarios, 1);
+  });
+
 test('digits are of the coarsest tried step that is not coarser', () => {
   const cell = foldSteps([trade]).rows[0].cells.get('bullet');
   assert.equal(digitsAt(cell, 0.01).dt, 0.008);

@@ -4,8 +4,9 @@ import { test } from 'node:test';
 
 import { load } from '../bundle_for_test.mjs';
 
-const { digitsText, duration, short, withUnit } = await load('report/numbers.ts');
+const { digitsText, duration, short, withDurations, withUnit } = await load('report/numbers.ts');
 const { visible, visibleLines } = await load('report/visible.ts');
+const { stepText } = await load('report/cell/settings.tsx');
 const { parseAddress, addressText } = await load('report/address.ts');
 
 for (const [value, text] of [
@@ -51,6 +52,20 @@ for (const [seconds, text] of [
   [3.4e-13, '0.34 ps'],
 ])
   test(`duration ${seconds}`, () => assert.equal(duration(seconds), text));
+
+for (const [text, printed] of [
+  ['needs about 4.9e-05 s at this order', 'needs about 49 \u00b5s at this order'],
+  ['error 0.4 at 0.00025 s, falls with no order', 'error 0.4 at 250 \u00b5s, falls with no order'],
+  ['2 steps of 3 m/s and 4 s/m', '2 steps of 3 m/s and 4 s/m'],
+])
+  test(`'${text}' is printed as '${printed}'`, () => assert.equal(withDurations(text), printed));
+
+for (const [dt_text, dt, text] of [
+  ['0.001', 0.001, '0.001 s'],
+  ['1/60', 1 / 60, '1/60 s (0.016666666666666666 s)'],
+  ['0.003', 0.003, '0.003 s'],
+])
+  test(`a step of ${dt_text} s is printed as '${text}'`, () => assert.equal(stepText({ dt, dt_text }), text));
 
 test('what is invisible is written out', () => {
   assert.equal(visible('\u001b[31m a\u202eb\u200b\u0000\n'), '\\u001b[31m a\\u202eb\\u200b\\u0000\\u000a');

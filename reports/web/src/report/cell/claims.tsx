@@ -6,7 +6,7 @@ import { Sample } from '../../shared/plot_marks';
 import { digitsText, short, withInterval, withUnit } from '../numbers';
 import { compare, differs, digits, isMeasured } from '../status';
 import { Differs, StatusMark } from '../status_mark';
-import { Foreign } from '../text';
+import { Foreign, Numbers } from '../text';
 import { visible } from '../visible';
 
 type Claim = ScenarioView['claims'][number];
@@ -38,16 +38,16 @@ function untilText({ until }: Claim): string {
 /** A claim that something happens has no truth: it asks for a change. */
 function Asked({ claim, verdict }: { claim: Claim | null; verdict: Verdict }) {
   if (claim?.at_least == null) return <>truth: <Truth claim={claim} verdict={verdict} /></>;
-  return <>must change by at least {withUnit(claim.at_least, claim.unit) + untilText(claim)}</>;
+  return <Numbers text={`must change by at least ${withUnit(claim.at_least, claim.unit)}${untilText(claim)}`} />;
 }
 
 function Truth({ claim, verdict: v }: { claim: Claim | null; verdict: Verdict }) {
   const bound = v.truth_error === null ? '' : `known to ${withUnit(v.truth_error, v.unit)}`;
-  if (claim === null) return <>{bound || 'not told'}</>;
+  if (claim === null) return <Numbers text={bound || 'not told'} />;
   const name = claim.follows === '' ? 'its initial value' : claim.follows;
   const source = claim.source ? `: ${claim.source}` : '';
   const until = untilText(claim);
-  return <>{visible(name + source) + (bound ? ` (${bound})` : '') + `, ${v.evidence}` + until}</>;
+  return <Numbers text={name + source + (bound ? ` (${bound})` : '') + `, ${v.evidence}` + until} />;
 }
 
 function Violation({ curve, verdict }: { curve: ErrorCurve | null; verdict: Verdict }) {
@@ -90,7 +90,9 @@ function Notes({ row: { verdict: v, claim } }: { row: ClaimRow }) {
       <li>
         tolerance: <Foreign text={v.reason} />
         {v.tolerance_scale === 1 ? '' : `; all times ${v.tolerance_scale}`}
-        {v.spread === null ? '' : `; runs that start an ulp apart end ${withUnit(v.spread, v.unit)} apart`}
+        {v.spread === null ? null : (
+          <Numbers text={`; runs that start an ulp apart end ${withUnit(v.spread, v.unit)} apart`} />
+        )}
       </li>
     </ul>
   );

@@ -1,6 +1,6 @@
 // How the engine was set for this run: forced settings, and known limits.
 import type { Diagnostic, ScenarioView, Verdict } from '../../shared/documents';
-import { duration, short, withUnit } from '../numbers';
+import { count, duration, short, withUnit } from '../numbers';
 import { Foreign, ForeignLines } from '../text';
 import { withSubsteps } from '../substeps';
 import { visible } from '../visible';
@@ -8,6 +8,11 @@ import { visible } from '../visible';
 /** Values of all claims of a cell: one, as a cell is one run; should they differ, all are shown. */
 function distinct(verdicts: Verdict[], of: (v: Verdict) => string): string {
   return [...new Set(verdicts.map(of))].join(' | ');
+}
+
+/** "1/60 s (0.016666666666666666 s)"; "0.001 s" alone, which says the number already. */
+export function stepText({ dt, dt_text }: Verdict): string {
+  return Number(dt_text) === dt ? `${dt_text} s` : `${dt_text} s (${short(dt, 17)} s)`;
 }
 
 const facts: [string, (v: Verdict) => string][] = [
@@ -20,7 +25,7 @@ const facts: [string, (v: Verdict) => string][] = [
   ['path', (v) => v.path],
   ['gyroscopic term', (v) => v.gyroscopic],
   ['integrator', (v) => v.integrator],
-  ['step', (v) => withSubsteps(`${v.dt_text} s (${short(v.dt, 17)} s)`, v.substeps)],
+  ['step', (v) => withSubsteps(stepText(v), v.substeps)],
   ['sampling', (v) => v.sampling],
   [
     'CPU time',
@@ -46,8 +51,8 @@ export function Run({ verdicts, view }: { verdicts: Verdict[]; view: ScenarioVie
           <div>
             <dt>scenario</dt>
             <dd>
-              {short(view.duration)} s, nominal step {short(view.step, 6)} s, {view.scene.body.length} bodies,
-              tags: {visible(view.tags.join(', ') || 'none')}
+              {short(view.duration)} s, nominal step {short(view.step, 6)} s, {' '}
+              {count(view.scene.body.length, 'body', 'bodies')}, tags: {visible(view.tags.join(', ') || 'none')}
             </dd>
           </div>
         ) : null}

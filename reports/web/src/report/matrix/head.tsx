@@ -2,12 +2,8 @@
 import { hasFamilyRow, type Family } from '../families';
 import type { Column } from '../fold';
 import { withSubsteps } from '../substeps';
+import { Name } from '../text';
 import { visible } from '../visible';
-
-/** May break where the words of an engine's name meet. */
-function parted(label: string) {
-  return label.split(/(?<=[/=-])/).flatMap((part, i) => (i === 0 ? [part] : [<wbr key={i} />, part]));
-}
 
 /** A family of one column of its own name is not named twice: its one head spans both rows. */
 function isAlone({ name, columns: [first, second] }: Family, columns: Column[]): boolean {
@@ -34,7 +30,7 @@ export function ColumnGroups({ families }: { families: Family[] }) {
 function ColumnHead({ column, starts, rows }: { column: Column; starts: boolean; rows: number }) {
   return (
     <th scope="col" class={starts ? 'starts' : undefined} rowSpan={rows}>
-      {parted(visible(column.label))}
+      <Name text={column.label} />
       {column.substeps > 1 ? <span class="title">{withSubsteps('', column.substeps)}</span> : null}
     </th>
   );

@@ -7,6 +7,7 @@ import type { Cell, Column, Row } from '../fold';
 import { digitsText } from '../numbers';
 import { isMeasured, looks } from '../status';
 import { Differs, spoken } from '../status_mark';
+import { Name } from '../text';
 import { visible } from '../visible';
 import { useGridKeys } from './grid_keys';
 import { ColumnGroups, headRows, MatrixHead } from './head';
@@ -64,7 +65,9 @@ const Line = memo(({ row, index, above, title, families }: LineProps) => {
   return (
     <tr aria-rowindex={index + above + 1}>
       <th scope="row">
-        <span class="name">{visible(row.label)}</span>
+        <span class="name">
+          <Name text={row.label} />
+        </span>
         {title && title !== row.label ? <span class="title">{visible(title)}</span> : null}
       </th>
       {families.flatMap((family) =>

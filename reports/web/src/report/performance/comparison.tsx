@@ -2,7 +2,7 @@
 import type { Comparisons } from '../../shared/documents';
 import { Command } from '../cell/copy';
 import { duration, short } from '../numbers';
-import { Foreign } from '../text';
+import { Foreign, Name } from '../text';
 import { useFew } from '../use_few';
 import { visible } from '../visible';
 import { Interval } from './interval';
@@ -67,7 +67,9 @@ function Row({ cell, tau }: { cell: Cell; tau: number }) {
   const changed = cell.metrics.filter((m) => m.finding !== 'same' && m.sentence !== '');
   return (
     <tr>
-      <th scope="row">{visible(`${cell.scenario} / ${cell.engine} at ${cell.dt_text}`)}</th>
+      <th scope="row">
+        <Name text={`${cell.scenario} / ${cell.engine} at ${cell.dt_text}`} />
+      </th>
       <td>
         <Finding finding={worst(cell)} />
       </td>

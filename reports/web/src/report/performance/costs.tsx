@@ -7,6 +7,7 @@ import { Build, buildOf, buildsNote } from '../builds';
 import { type Cell, fold } from '../fold';
 import { digitsText, duration } from '../numbers';
 import { isMeasured, looks } from '../status';
+import { Name } from '../text';
 import { useFew } from '../use_few';
 import { visible } from '../visible';
 
@@ -40,7 +41,7 @@ export function Costs({ verdicts }: { verdicts: Verdict[] }) {
       <p class="note">
         Timed once, while the verdicts were made and perhaps with other runs beside it: orders of magnitude.{' '}
         <em>not verified</em>: the CPU time of the engine&apos;s process does not confirm what it tells, as in
-        short runs, where requests and samples cost more than steps.
+        short runs, where requests and samples cost more than steps.{' '}
         {visible(buildsNote(builds))}
         To decide between builds there is <code>cylon track compare</code>, between engines and integrators{' '}
         <code>cylon trade</code>.
@@ -52,7 +53,7 @@ export function Costs({ verdicts }: { verdicts: Verdict[] }) {
               <th scope="col">scenario</th>
               {columns.map((column, j) => (
                 <th key={column.label} scope="col">
-                  {visible(column.label)}
+                  <Name text={column.label} />
                   <Build build={builds[j] ?? ''} />
                 </th>
               ))}
@@ -61,7 +62,9 @@ export function Costs({ verdicts }: { verdicts: Verdict[] }) {
           <tbody>
             {list.map((row) => (
               <tr key={row.label}>
-                <th scope="row">{visible(row.label)}</th>
+                <th scope="row">
+                  <Name text={row.label} />
+                </th>
                 {row.cells.map((cell, j) => (
                   <td key={j}>
                     <Cost cell={cell} />

@@ -1,6 +1,7 @@
 // Sweeps to a matrix of scenarios and engines: which step each engine needs (harness/results/step_matrix.h chooses).
 import type { Trade } from '../../shared/documents';
 import { buildOf } from '../builds';
+import { commandOf, sweepKey } from '../sweeps';
 
 type Table = Trade['tables'][number];
 type Cells = NonNullable<Table['cells']>;
@@ -30,6 +31,9 @@ export interface StepCell {
 
 export interface StepRow {
   scenario: string;
+  file: number; // of the sweep, from 0
+  sweep: string; // its key on the page of speed against accuracy
+  source: string; // "cylon matrix", where another row has the same scenario; "" elsewhere
   measure: string; // what the errors are of
   cells: Map<string, StepCell>;
 }
@@ -38,6 +42,13 @@ export interface StepMatrix {
   engines: string[];
   builds: Map<string, string>; // by engine; '': native code
   rows: StepRow[];
+  scenarios: number; // of which several rows may be one
+}
+
+/** What a row needs; null: the table gives none. */
+function stepsOf({ measures, by, cells }: Table) {
+  const measure = measures.find((m) => m.name === by);
+  return cells && measure ? { measure, cells } : null;
 }
 
 function costsOf(trade: Trade, table: Table): Map<string, number | null> {
@@ -76,28 +87,47 @@ function cellOf(table: Table, cell: Cells[number], costs: Map<string, number | n
   };
 }
 
+/** Names a sweep among those of the same scenario: by its command, and by its file where commands are the same. */
+function sourceOf(row: StepRow, rows: StepRow[], trades: Trade[]): string {
+  const same = rows.filter(({ scenario }) => scenario === row.scenario);
+  if (same.length === 1) return '';
+  const command = commandOf(trades[row.file]!);
+  const alone = same.filter(({ file }) => commandOf(trades[file]!) === command).length === 1;
+  return command && alone ? command : `${command || 'file'} (${row.file + 1})`;
+}
+
+/** How many scenarios have a row, or several. */
+export function stepScenarios(trades: Trade[]): number {
+  return new Set(trades.flatMap((trade) => trade.tables.filter(stepsOf).map(({ scenario }) => scenario))).size;
+}
+
 /** Tables of programs that are older than the cells are left out. */
 export function foldSteps(trades: Trade[]): StepMatrix {
   const engines: string[] = [];
   const builds = new Map<string, string>();
   const rows: StepRow[] = [];
-  for (const trade of trades)
+  for (const [file, trade] of trades.entries())
     for (const table of trade.tables) {
-      const measure = table.measures.find((m) => m.name === table.by);
-      if (!table.cells || !measure) continue;
+      const found = stepsOf(table);
+      if (!found) continue;
+      const { measure } = found;
       const costs = costsOf(trade, table);
-      const cells = table.cells.map((cell) => cellOf(table, cell, costs));
+      const cells = found.cells.map((cell) => cellOf(table, cell, costs));
       for (const { engine, version } of cells) {
         if (!engines.includes(engine)) engines.push(engine);
         if (version) builds.set(engine, buildOf(version));
       }
       rows.push({
         scenario: table.scenario,
+        file,
+        sweep: sweepKey(trades, file, table),
+        source: '',
         measure: `${measure.name} against ${measure.against}`,
         cells: new Map(cells.map((cell) => [cell.engine, cell])),
       });
     }
-  return { engines, builds, rows };
+  for (const row of rows) row.source = sourceOf(row, rows, trades);
+  return { engines, builds, rows, scenarios: stepScenarios(trades) };
 }
 
 export function isInHouse(engine: string): boolean {

@@ -5,8 +5,9 @@ import { useMemo } from 'preact/hooks';
 import type { Index } from '../../shared/documents';
 import { go, link, sectionAddress, useAddress } from '../address';
 import { Build, buildsNote } from '../builds';
-import { count, duration, short } from '../numbers';
+import { count, duration, short, withDurations } from '../numbers';
 import { withSubsteps } from '../substeps';
+import { Name, Numbers } from '../text';
 import { visible } from '../visible';
 import { digitsAt, foldSteps, isInHouse, type Reach, type StepCell, type StepMatrix } from './fold_steps';
 
@@ -40,7 +41,7 @@ function Refusal({ cell }: { cell: StepCell }) {
     <>
       <strong>{cell.avoidable ? 'refused, avoidable' : 'refused'}</strong>
       <p class="why">
-        {visible(cell.refusal)}
+        <Numbers text={cell.refusal} />
         {cell.avoidable ? `; ${visible(cell.avoidable)} can` : ''}
       </p>
     </>
@@ -61,7 +62,7 @@ function Steps({ cell }: { cell: StepCell }) {
       </table>
       <p class="why">
         {orderText(cell)}
-        {missed ? `; ${short(missed.error, 1)}: ${visible(missed.why)}` : ''}
+        {missed ? <Numbers text={`; ${short(missed.error, 1)}: ${withDurations(missed.why)}`} /> : null}
       </p>
     </>
   );
@@ -99,8 +100,13 @@ function Table({ matrix, engines, at }: { matrix: StepMatrix; engines: string[];
           {matrix.rows.map((row, i) => (
             <tr key={i}>
               <th scope="row">
-                <a href={link({ ...sectionAddress('trade'), trade: row.scenario })}>{visible(row.scenario)}</a>
-                <p class="why">{visible(row.measure)}</p>
+                <a href={link({ ...sectionAddress('trade'), trade: row.sweep })}>
+                  <Name text={row.scenario} />
+                </a>
+                {row.source ? <p class="why">of {row.source}</p> : null}
+                <p class="why">
+                  <Name text={row.measure} />
+                </p>
               </th>
               {engines.map((engine) => {
                 const cell = row.cells.get(engine);
@@ -159,7 +165,7 @@ export function StepsSection({ index }: { index: Index }) {
             ) : null}
           </div>
           <p class="count" role="status">
-            {count(matrix.rows.length, 'scenario')}, {count(engines.length, 'engine')}
+            {count(matrix.scenarios, 'scenario')}, {count(engines.length, 'engine')}
           </p>
           <Table matrix={matrix} engines={engines} at={chosen} />
           <p class="note">

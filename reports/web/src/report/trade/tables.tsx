@@ -1,8 +1,9 @@
 // The series of a work-precision plot as its legend, and every setting as a row.
+import type { Status } from '../../shared/documents';
 import { Sample } from '../../shared/plot_marks';
 import { duration, short } from '../numbers';
 import { StatusMark } from '../status_mark';
-import { Foreign } from '../text';
+import { Foreign, Name } from '../text';
 import { useFew } from '../use_few';
 import { withSubsteps } from '../substeps';
 import { visible } from '../visible';
@@ -89,6 +90,11 @@ export function Legend({ list, hidden, toggle }: LegendProps) {
   );
 }
 
+/** How a run ended.  No claim is judged here, so `pass` only means that the run came to its end. */
+function Ending({ status }: { status: Status }) {
+  return status === 'pass' ? <>ran</> : <StatusMark status={status} />;
+}
+
 interface SettingsProps {
   list: Series[];
   points: Point[];
@@ -119,13 +125,15 @@ export function SettingsTable({ list, points, caption }: SettingsProps) {
           <tbody>
             {shown.map((p, i) => (
               <tr key={i}>
-                <th scope="row">{visible(list[p.series]!.label)}</th>
+                <th scope="row">
+                  <Name text={list[p.series]!.label} />
+                </th>
                 <td class="number">{visible(withSubsteps(settingOf(p), list[p.series]!.of.substeps))}</td>
                 <td class="number">{short(p.error)}</td>
                 <td class="number">{p.cost === null ? 'not timed' : short(p.cost)}</td>
                 <td class="number">{duration(p.perBodyStep)}</td>
                 <td>
-                  <StatusMark status={p.status} />
+                  <Ending status={p.status} />
                 </td>
                 <td>
                   <Foreign text={p.dominatedBy || p.reason} />

@@ -5,6 +5,8 @@ import type { Index, Trade, Verdict } from '../../shared/documents';
 import { go, useAddress } from '../address';
 import { buildOf } from '../builds';
 import { count, short } from '../numbers';
+import { sweepKey } from '../sweeps';
+import { Numbers } from '../text';
 import { visible } from '../visible';
 import { buildsOf, isDrawn, join, type Measure, type Series, type Table } from './join';
 import { Legend, SettingsTable } from './tables';
@@ -19,7 +21,7 @@ interface Entry {
 function entries(trades: Trade[]): Entry[] {
   return trades.flatMap((trade, i) =>
     trade.tables.map((table) => ({
-      key: trades.length > 1 ? `${table.scenario} (${i + 1})` : table.scenario,
+      key: sweepKey(trades, i, table),
       trade,
       table,
     })),
@@ -91,9 +93,8 @@ function Plot({ index, entry }: { index: Index; entry: Entry }) {
         </select>
       </label>
       <p class="note">
-        {visible(axisText(measure))}; the reference itself is known to {short(measure.resolution)}.
-        Truth: {visible(table.truth || 'none')}; {short(table.duration)} s,{' '}
-        {count(table.bodies, 'body', 'bodies')}.
+        <Numbers text={`${axisText(measure)}; the reference itself is known to ${short(measure.resolution)}.`} /> Truth:{' '}
+        <Numbers text={`${table.truth || 'none'}; ${short(table.duration)} s`} />, {count(table.bodies, 'body', 'bodies')}.
         Ringed (the Pareto front): no other setting is both faster and more accurate
         {measure.name === table.by ? '' : ' by this measure'}
         {builds.length > 1 ? ', of those that are run by the same; costs of others do not compare.' : '.'}
