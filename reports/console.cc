@@ -83,7 +83,7 @@ Line claim_line(const Verdict& v, const ConsoleOptions& options) {
   const std::string& why = v.detail.empty() ? v.tolerance_reason : v.detail;
   return {shown(v.claim, options),
           measured ? shown(measured_text(v), options) : "",
-          has_allowed(v.status) ? fmt::format("{:.4g} {}", v.allowed, shown(v.unit, options)) : "",
+          has_allowed(v) ? fmt::format("{:.4g} {}", v.allowed, shown(v.unit, options)) : "",
           measured ? fmt::format("{:+.1f}", results::digits(v.measured, v.allowed)) : "",
           status,
           shown(head(why, 400), options)};

@@ -1,6 +1,7 @@
 #include "reports/csv.h"
 
 #include "reports/json.h"
+#include "reports/sentence.h"
 #include "reports/text.h"
 
 #include <fmt/format.h>
@@ -73,7 +74,7 @@ std::string to_csv(const std::vector<results::Verdict>& verdicts) {
   line(row({}), [](const std::string& key, const Json&) { return key; });
   for (const results::Verdict& verdict : verdicts)
     line(row(verdict), [&](const std::string& key, const Json& value) {
-      return key == "allowed" && !has_allowed(verdict.status) ? "" : cell(value);
+      return key == "allowed" && !has_allowed(verdict) ? "" : cell(value);
     });
   return out;
 }

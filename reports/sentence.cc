@@ -13,6 +13,10 @@ std::string quoted(const std::string& text) { return escaped(head(text, longest)
 
 }  // namespace
 
+bool has_allowed(const results::Verdict& v) {
+  return is_measured(v.status) || v.status == results::Status::non_finite;
+}
+
 std::string measured_text(const results::Verdict& v) {
   const std::string interval =
       v.interval ? fmt::format(" [{:.4g}, {:.4g}]", v.interval->low, v.interval->high) : "";

@@ -46,8 +46,6 @@ Status judge(const Bounds& known, double allowed) {
 
 bool is_measured(Status status) { return status <= Status::undecided; }
 
-bool has_allowed(Status status) { return is_measured(status) || status == Status::non_finite; }
-
 double digits(double measured, double allowed) {
   if (!std::isfinite(measured)) return -99;
   if (measured == 0) return 99;

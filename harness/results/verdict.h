@@ -34,9 +34,6 @@ Status judge(const Bounds&, double allowed);
 /// Whether measured and allowed say anything: pass, low-quality, fail and undecided.
 bool is_measured(Status);
 
-/// Whether allowed says anything: of what is measured, and of what is not finite.
-bool has_allowed(Status);
-
 /// log10(allowed / measured): digits won (> 0) or lost (< 0), within [-99, 99].
 double digits(double measured, double allowed);
 
