@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <string_view>
 #include <vector>
 
 namespace cylon::process {
@@ -45,6 +44,15 @@ void require_adaptive(const core::Engine& engine, const std::string& id, const c
       fmt::join(adaptive, ", ")));
 }
 
+// A worker that cannot start is unsupported: of an optional engine, by a library that was there when it was built.
+json answer_to_hello(Conversation& worker, const EngineRow& row, double seconds) try {
+  worker.ask({{"cmd", "hello"}, {"protocol", protocol_version}}, seconds);
+  return worker.next_line();
+} catch (const Failure& failure) {
+  if (failure.status != results::Status::unsupported || !row.optional()) throw;
+  throw Failure(failure.status, fmt::format("{}; `{}` brings what it needs", failure.what(), row.brought_by));
+}
+
 }  // namespace
 
 std::optional<std::string> text_of(const json& answer, const char* key) {
@@ -67,18 +75,13 @@ const std::vector<std::string>& command_of(const EngineRow& row) {
   return row.command;
 }
 
-Hello introduce(Conversation& worker, const EngineRow& row, double seconds) try {
-  worker.ask({{"cmd", "hello"}, {"protocol", protocol_version}}, seconds);
-  const json answer = worker.next_line();
+Hello introduce(Conversation& worker, const EngineRow& row, double seconds) {
+  const json answer = answer_to_hello(worker, row, seconds);
   if (const auto reason = text_of(answer, "unsupported"))
     throw Failure(results::Status::unsupported, *reason);
   if (const auto reason = text_of(answer, "error")) broken("hello was refused: " + *reason);
   require_ok(answer, "hello");
   return hello_from_json(answer);
-} catch (const Failure& failure) {
-  // A library that was there when the worker was built.
-  if (!row.optional() || !std::string_view(failure.what()).starts_with("cannot start")) throw;
-  throw Failure(failure.status, fmt::format("{}; `{}` brings what it needs", failure.what(), row.brought_by));
 }
 
 core::Terms open_scene(Conversation& worker, const EngineChoice& choice, const core::Scene& scene,

@@ -52,6 +52,17 @@ struct Subject {
   }
 };
 
+/// A build of Rapier (rapier_builds_test.cc).
+constexpr Subject of_rapier(const char* id) {
+  return {.id = id,
+          .single = true,
+          .iterative = true,
+          .tells = false,
+          .archimedes = false,
+          .any_pair = false,
+          .drift = 64};
+}
+
 inline const Subject subjects[] = {
     // One step after another, as the others: what auto does is bounded by its tolerance, not by rounding.
     {.id = "in-house/integrator=rk4",
@@ -68,28 +79,9 @@ inline const Subject subjects[] = {
     {.id = "simbody", .order = 4, .reduced = true, .bounces = false, .touches = false, .order_of_masses = 1},
     // Both give a turned angular momentum its old size, which rounds a few times more; Rapier does so four times a step.
     {.id = "jolt", .single = true, .iterative = true, .tells = false, .archimedes = false, .drift = 8},
-    {.id = "rapier",
-     .single = true,
-     .iterative = true,
-     .tells = false,
-     .archimedes = false,
-     .any_pair = false,
-     .drift = 64},
-    // Rapier of other builds, the first of which has the same bits (rapier_builds_test.cc).
-    {.id = "rapier-deterministic",
-     .single = true,
-     .iterative = true,
-     .tells = false,
-     .archimedes = false,
-     .any_pair = false,
-     .drift = 64},
-    {.id = "rapier-simd",
-     .single = true,
-     .iterative = true,
-     .tells = false,
-     .archimedes = false,
-     .any_pair = false,
-     .drift = 64},
+    of_rapier("rapier"),
+    of_rapier("rapier-deterministic"),
+    of_rapier("rapier-simd"),
     {.id = "mujoco3", .reduced = true, .bounces = false, .tells = false, .archimedes = false},
     {.id = "crashcat",
      .iterative = true,

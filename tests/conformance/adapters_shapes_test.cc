@@ -5,6 +5,7 @@
 #include "tests/conformance/adapters_fixture.h"
 
 #include <string_view>
+#include <utility>
 
 namespace cylon::conformance {
 namespace {
@@ -47,15 +48,19 @@ const Row rows[] = {
 // Jolt, crashcat and Rapier turn a body back in the step that would close the gap; here only once it is closed.
 std::vector<Subject> where_contacts_begin_at_the_touch() {
   std::vector<Subject> all = subjects_but({"in-house", "in-house-float", "simbody", "physx"});
-  for (Subject& subject : all) {
-    if (std::string_view(subject.id) == "jolt") subject.id = "jolt/speculative-distance=0,pair-cache=off";
-    if (std::string_view(subject.id) == "crashcat")
-      subject.id = "crashcat/speculative-distance=0,pair-cache=off";
-    if (std::string_view(subject.id) == "rapier") subject.id = "rapier/prediction=0";
-    if (std::string_view(subject.id) == "rapier-deterministic")
-      subject.id = "rapier-deterministic/prediction=0";
-    if (std::string_view(subject.id) == "rapier-simd") subject.id = "rapier-simd/prediction=0";
-  }
+  constexpr std::pair<std::string_view, const char*> changed[] = {
+      {"jolt", "jolt/speculative-distance=0,pair-cache=off"},
+      {"crashcat", "crashcat/speculative-distance=0,pair-cache=off"},
+      {"rapier", "rapier/prediction=0"},
+      {"rapier-deterministic", "rapier-deterministic/prediction=0"},
+      {"rapier-simd", "rapier-simd/prediction=0"},
+  };
+  for (Subject& subject : all)
+    for (const auto& [id, at_the_touch] : changed)
+      if (subject.id == id) {
+        subject.id = at_the_touch;
+        break;
+      }
   return all;
 }
 

@@ -72,7 +72,7 @@ TEST(Fingerprint, IdentifiesEngines) {
 }
 
 // What tells the engines apart: no two of them answer all of these alike.  Rapier's other builds are not among them:
-// they differ from rapier in last digits at most (rapier_builds_test.cc), and their answers are its own.
+// they differ from rapier in roundings alone (rapier_builds_test.cc), and their answers are its own.
 constexpr std::string_view telling[] = {"precision",   "free fall", "gyroscopic torque",
                                         "restitution", "friction",  "rest"};
 constexpr const char* engines[] = {

@@ -6,7 +6,7 @@ export const about = {
   ...rapier.about, name: 'rapier-simd',
   of_the_scene: [
     {name: 'features of the Rust crate', value: 'with simd-stable', engine_default: 'without',
-      reason: '@dimforge/rapier3d-simd-compat is built so: four joints or contacts are solved at once'},
+      reason: '@dimforge/rapier3d-simd-compat is built so, and all of it for simd128'},
     ...rapier.about.of_the_scene,
   ],
 };
