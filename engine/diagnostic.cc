@@ -73,6 +73,10 @@ const std::array<DiagnosticRow, static_cast<std::size_t>(DiagnosticKind::count)>
     {K::changes_not_searched, "changes-not-searched", "", "",
      "{count} times, from t = {since} s on, contacts changed too often at one instant: the interval after it "
      "was not searched for contact changes"},
+    {K::impacts_ordered, "impacts-ordered", "", "",
+     "at {count} instants, from t = {since} s on, a body had several impacts at once: they were resolved one "
+     "after another, in the order of the bodies in the scene; in another order the motion after them may be "
+     "another"},
     {K::impacts_unending, "impacts-unending", "rounds", "",
      "{count} impacts of several pairs, from t = {since} s on, did not end one after another in {limit} "
      "iterations: they were solved at once, without restitution"},
@@ -200,11 +204,13 @@ void add(const Diagnostic& more, Diagnostic& to) {
 void DiagnosticLog::note(DiagnosticKind kind, Time now, std::optional<double> limit,
                          std::optional<double> reached, const std::string& cause) {
   // A splitting of high order also goes back in time, in its first step to before the start.
-  const Diagnostic one{
-      .kind = kind, .since = std::max(now, Time(0)), .limit = limit, .reached = reached, .cause = cause};
-  const auto at = std::lower_bound(noted_.begin(), noted_.end(), kind,
+  take({.kind = kind, .since = std::max(now, Time(0)), .limit = limit, .reached = reached, .cause = cause});
+}
+
+void DiagnosticLog::take(const Diagnostic& one) {
+  const auto at = std::lower_bound(noted_.begin(), noted_.end(), one.kind,
                                    [](const Diagnostic& d, DiagnosticKind k) { return d.kind < k; });
-  if (at != noted_.end() && at->kind == kind)
+  if (at != noted_.end() && at->kind == one.kind)
     add(one, *at);
   else
     noted_.insert(at, one);

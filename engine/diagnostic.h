@@ -41,6 +41,7 @@ enum class DiagnosticKind {
   interval_missed,
   meeting_not_searched,
   changes_not_searched,
+  impacts_ordered,
   impacts_unending,
   frictionless,
   wedged,
@@ -116,6 +117,8 @@ class DiagnosticLog {
   /// Once more.  The first sets the time, the worst of all what was reached; the last the limit and the cause.
   void note(DiagnosticKind, Time now, std::optional<double> limit = {}, std::optional<double> reached = {},
             const std::string& cause = {});
+  /// All that another has counted of it.
+  void take(const Diagnostic&);
   bool has(DiagnosticKind) const;
 
   /// In the order of the kinds.

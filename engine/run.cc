@@ -92,6 +92,7 @@ void Run::take_impacts() {
 void Run::hand_over() {
   const Handover from = *ballistic_->handover();
   spent_ += ballistic_->operations();
+  for (const Diagnostic& d : diagnostics_of_stepper()) log_.take(d);
   ballistic_ = nullptr;
   const Plan plan = make_plan(*model_, options_, Features{Feature::lasting_contact} | late(steps_));
   const bool by_events = plan.path == Path::events;
@@ -105,6 +106,14 @@ void Run::hand_over() {
             (by_events ? "by events: " : "in fixed first-order steps: ") + from.reason);
   now_ = island_of(plan);
   if (!by_events) impacts_.clear();  // the whole step again
+}
+
+// As take_impacts().
+std::vector<Diagnostic> Run::diagnostics_of_stepper() const {
+  std::vector<Diagnostic> all = stepper_->diagnostics();
+  for (Diagnostic& d : all)
+    if (ballistic_) d.since += start_;
+  return all;
 }
 
 std::vector<Diagnostic> Run::diagnostics() const {
@@ -121,7 +130,7 @@ std::vector<Diagnostic> Run::diagnostics() const {
       log.note(DiagnosticKind::error_not_controlled, start_, {}, {}, how.str());
   }
   std::vector<Diagnostic> all = log.all();
-  for (Diagnostic& d : stepper_->diagnostics()) all.push_back(std::move(d));
+  for (Diagnostic& d : diagnostics_of_stepper()) all.push_back(std::move(d));
   for (Diagnostic& d : all) d.island = now_;
   return all;
 }

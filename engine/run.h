@@ -55,6 +55,7 @@ class Run {
   void hand_over();
   void take_impacts();
   void watch_gimbals();
+  std::vector<Diagnostic> diagnostics_of_stepper() const;
 
   std::shared_ptr<const Model> model_;
   Options options_;

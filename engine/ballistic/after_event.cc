@@ -77,12 +77,45 @@ bool Course::collapses(Real separation, Real restitution, Real pressing) const {
 
 Time Course::shortest() const { return std::max(1e-9 * dt_, 16 * ulp * now_); }
 
-bool Course::hit_without_end(std::size_t body) {
+bool Course::is_now(Time t) const { return now_ - t <= 16 * ulp * now_; }
+
+bool Course::hit_without_end(std::size_t body, const Vector3& normal, const Material& material) {
   Burst& burst = bursts_[body];
-  if (!(now_ - burst.time <= 16 * ulp * now_)) burst = {now_, 0};
+  if (!is_now(burst.time)) burst.time = now_, burst.impacts = 0;
+  burst.velocity = flights_[body].velocity, burst.normal = normal, burst.rough = material.friction > 0;
   if (++burst.impacts <= 128 + flights_.size()) return false;
   hand_over("body " + std::to_string(body) + " has too many impacts at one instant");
   return true;
+}
+
+// Of the impact of a body with another, or with a plane (first_plane - k), that comes now: whether both approached already before the
+// latest impact that one of them had with a third at this instant, on which this one depends.  Then either might
+// have been the first.
+void Course::look_at_order(std::size_t body, int other, const Vector3& normal, const Material& material) {
+  if (model_.impacts != Impacts::sequential || is_now(ordered_)) return;
+  struct Speeds {  // now, and before
+    Vector3 now = Vector3::Zero();
+    std::optional<Vector3> before = {};
+  };
+  const auto speeds = [&](int one, int partner) {
+    if (one < 0) return Speeds{};
+    const auto k = static_cast<std::size_t>(one);
+    const Burst& burst = bursts_[k];
+    Speeds result{flights_[k].velocity};
+    const bool third = burst.impacts > 0 && is_now(burst.time) && last_partner_[k] != partner;
+    if (!third || model_.bodies[k].locked) return result;
+    const bool depends =
+        burst.rough || material.friction > 0 || std::abs(normal.dot(burst.normal)) > rounding;
+    if (depends) result.before = burst.velocity;
+    return result;
+  };
+  const Speeds a = speeds(static_cast<int>(body), other), b = speeds(other, static_cast<int>(body));
+  const auto approached = [&](const std::optional<Vector3>& v, const std::optional<Vector3>& w) {
+    return v && w && rounded(-normal.dot(*v - *w), size(*v) + size(*w)) > 0;
+  };
+  if (!approached(a.before, b.now) && !approached(a.now, b.before) && !approached(a.before, b.before)) return;
+  ordered_ = now_;
+  log_.note(DiagnosticKind::impacts_ordered, now_);
 }
 
 // `alone`: no other impact belongs to it.

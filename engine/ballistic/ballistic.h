@@ -29,7 +29,8 @@ struct Handover {
 /// friction across a slope, a body that is hit without end at one instant.  Then handover() has a value,
 /// step() does nothing more, and the caller goes on with another stepper from that instant.
 ///
-/// Impacts::sequential: impacts at one instant follow each other in the order of the pairs' indices.
+/// Impacts::sequential: impacts at one instant follow each other in the order of the pairs' indices; where another
+/// order may do something else, a diagnostic says so.
 /// Impacts::simultaneous: all contacts that touch at that instant take the one set of impulses with
 ///   u+ + e min(u-, 0) >= 0,  J >= 0,  (u+ + e min(u-, 0)) J = 0   (Newton's law as a complementarity
 ///   problem)

@@ -118,14 +118,15 @@ void Course::meet_plane(std::size_t body, std::size_t k) {
   const Real separation = material.restitution * approach;
   const bool ends = flight.support == in_flight && collapses(separation, material.restitution, pressing());
   if (approach > 0) {
-    if (hit_without_end(body)) return;
+    look_at_order(body, first_plane - static_cast<int>(k), plane.normal, material);
+    if (hit_without_end(body, plane.normal, material)) return;
     if (model_.impacts == Impacts::simultaneous && strike_all(body, body)) return;
     if (ends) material.restitution = 0;
     Side ball = side(body), world;
     strike(ball, world, plane.normal, material);
     record(body, fixed_world, static_cast<int>(k), approach, separation, true);
     take(body, ball, speed + size(ball.velocity));
-    last_partner_[body] = nothing;
+    last_partner_[body] = first_plane - static_cast<int>(k);
   }
   if (ends) {
     rest_on(body, k, true);
@@ -152,7 +153,8 @@ void Course::meet(std::size_t a, std::size_t b) {
   if (pressed && (approach == 0 || (again && pair.restitution < 1 && now_ - since <= shortest())))
     return hand_over("bodies " + std::to_string(a) + " and " + std::to_string(b) + " stay pressed together");
   if (approach > 0) {
-    if (hit_without_end(a) || hit_without_end(b)) return;
+    look_at_order(a, static_cast<int>(b), n, pair);
+    if (hit_without_end(a, n, pair) || hit_without_end(b, n, pair)) return;
     if (model_.impacts == Impacts::simultaneous && strike_all(a, b)) return;
     Side left = side(a), right = side(b);
     strike(left, right, n, pair);

@@ -19,6 +19,7 @@ class Course final : public Ballistic {
   void read(std::vector<Motion>&) const override;
   void read_turns(std::vector<Real>& turns) const override { turns.clear(); }
   const std::vector<Impact>& impacts() const override { return impacts_; }
+  std::vector<Diagnostic> diagnostics() const override { return log_.all(); }
   const std::optional<Handover>& handover() const override { return handover_; }
 
  private:
@@ -39,6 +40,10 @@ class Course final : public Ballistic {
   struct Burst {  // impacts of a body at one instant
     Time time = -1;
     std::size_t impacts = 0;
+    // Of the latest:
+    Vector3 velocity = Vector3::Zero();  // before it
+    Vector3 normal = Vector3::Zero();
+    bool rough = false;
   };
 
   // Foreseeing: predict.cc
@@ -74,7 +79,8 @@ class Course final : public Ballistic {
   void rest_on(std::size_t body, std::size_t plane, bool slips);
   void fly(std::size_t body);
   bool collapses(Real separation, Real restitution, Real pressing) const;
-  bool hit_without_end(std::size_t body);
+  bool hit_without_end(std::size_t body, const Vector3& normal, const Material&);
+  void look_at_order(std::size_t body, int other, const Vector3& normal, const Material&);
   void record(std::size_t body, int other, int plane, Real approach, Real separation, bool alone);
   void note_impact(const Impact&, bool alone);
   void note_lasting();
@@ -89,6 +95,7 @@ class Course final : public Ballistic {
            model_.may_touch_plane(static_cast<int>(body), static_cast<int>(plane));
   }
   Time shortest() const;
+  bool is_now(Time) const;
   const Material& material(std::size_t a, std::size_t b) const {
     return model_.material(surfaces_[a], surfaces_[b]);
   }
@@ -123,6 +130,8 @@ class Course final : public Ballistic {
   std::vector<int> place_in_cluster_;
 
   std::vector<Impact> impacts_;
+  DiagnosticLog log_;
+  Time ordered_ = -1;  // the latest instant at which the order of impacts counted
   std::optional<Handover> handover_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace cylon::engine {
 
@@ -32,6 +33,30 @@ VectorX speeds(const Response& response, const std::vector<Body>& bodies, const 
     speed[i] = speed_of(rows[static_cast<std::size_t>(i)], bodies, motion);
   return speed;
 }
+
+// Which points an impulse at a point changes: those whose rows have a part in common with its own in A, the rows
+// of friction only where there is friction.
+class Coupling {
+ public:
+  Coupling(std::span<const TouchPoint> touches, std::span<const Row> joints, const std::vector<Body>& bodies,
+           const Motion* motion)
+      : touches_(touches), response_(touches, joints, bodies, motion) {}
+
+  bool operator()(std::size_t i, std::size_t k) const {
+    const MatrixX& a = response_.matrix();
+    for (Eigen::Index r = first(i); r < end(i); ++r)
+      for (Eigen::Index c = first(k); c < end(k); ++c)
+        if (std::abs(a(r, c)) > 64 * epsilon * std::sqrt(a(r, r) * a(c, c))) return true;
+    return false;
+  }
+
+ private:
+  static Eigen::Index first(std::size_t i) { return 3 * static_cast<Eigen::Index>(i); }
+  Eigen::Index end(std::size_t i) const { return first(i) + (touches_[i].friction > 0 ? 3 : 1); }
+
+  std::span<const TouchPoint> touches_;
+  Response response_;
+};
 
 }  // namespace
 
@@ -161,6 +186,13 @@ ImpactOutcome strike(std::span<const TouchPoint> touches, Impacts impacts, std::
     outcome.operations += part.operations;
   };
 
+  std::optional<Coupling> coupling;
+  const auto might_be_first = [&](const std::vector<std::size_t>& members, std::size_t i) {
+    if (touches[i].pair == touches[members.front()].pair || !approaches(touches[i])) return false;
+    if (!coupling) coupling.emplace(touches, joints, bodies, motion);
+    return std::any_of(members.begin(), members.end(), [&](std::size_t k) { return (*coupling)(i, k); });
+  };
+
   std::vector<std::size_t> members;
   for (int round = 0; round < most_impact_rounds; ++round) {
     bool any = false;
@@ -174,6 +206,8 @@ ImpactOutcome strike(std::span<const TouchPoint> touches, Impacts impacts, std::
       }
       if (!struck) continue;
       any = true;
+      for (std::size_t i = 0; i < touches.size() && !outcome.order_counts; ++i)
+        outcome.order_counts = might_be_first(members, i);
       solve_group(members, 1, &memory[p]);
     }
     if (!any) return outcome;

@@ -26,6 +26,7 @@ struct ImpactOutcome {
   std::int64_t operations = 0;  ///< and what that took of CoulombSolution::operations.
   bool exact = true;            ///< Every group obeys the law to rounding; else
   Real violation = 0;           ///< by how much the worst does not [m/s].
+  bool order_counts = false;    ///< Sequential: another order of the pairs might have done something else.
   bool ended = true;            ///< Sequential: nothing approached before the rounds were over.
 };
 

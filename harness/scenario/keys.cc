@@ -141,7 +141,9 @@ const Spec& scenario_keys() {
         required(seconds("step", step, "The nominal step: `0.001` or `\"1/60\"`.")),
         keys_of<core::UniformGravity>().front(),
         absent("sequential",
-               word("impacts", "How several impacts at one instant are resolved.",
+               word("impacts",
+                    "How several impacts at one instant are resolved: one after another in the order of the "
+                    "bodies, or all at once. Where the order counts, the in-house engine says so.",
                     {core::Words<core::Impacts>::list.begin(), core::Words<core::Impacts>::list.end()}))};
     const auto add = [&]<class T>(std::type_identity<T>, Kind kind, const Spec* (*of)()) {
       keys.push_back(

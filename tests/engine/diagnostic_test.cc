@@ -117,6 +117,13 @@ const std::vector<Provoked> provoked = {
     {K::interval_missed, 0.6, [] { return said_by_events(thrown_rod(68), 0.01, 60); }},
     {K::meeting_not_searched, 0.02, [] { return said(sliding_capsules(), by_events("dop853", 5e-3), 4); }},
     {K::changes_not_searched, 0.6, [] { return said_by_events(thrown_rod(121), 0.01, 60); }},
+    {K::impacts_ordered, 0.02,
+     [] {
+       Model model = without_plane({1, 0});
+       for (const Real side : {Real(-1), Real(0), Real(1)})
+         ball(model, {Real(1.01) * side, 0, 0}, {-side, 0, 0});
+       return said(model, 0.01, 2);
+     }},
     {K::impacts_unending, 0.01, [] { return said_by_events(row_of_balls(230), 0.01, 1); }},
     {K::frictionless, 1, [] { return said_by_events(jamming_rod(), 0.01, 100); }},
     {K::crawled, 0.6, [] { return said_by_events(thrown_rod(65), 0.01, 60); }},
