@@ -74,14 +74,36 @@ std::string run_facts(const Verdict& v, const ConsoleOptions& options) {
   return out;
 }
 
+// Whether both are claims on a run that came to no measurement, in the same way: one line serves all of them.
+bool same_end(const Verdict& a, const Verdict& b, const ConsoleOptions& options) {
+  return !is_measured(a.status) && a.status == b.status && a.as_expected() == b.as_expected() &&
+         expectation(a) == expectation(b) && sentence(a) == sentence(b) && a.reproduce == b.reproduce &&
+         heading(a, options) == heading(b, options);
+}
+
+// The ends of groups of such verdicts; any other is a group by itself.
+template <class Of>
+std::vector<std::size_t> groups(std::size_t count, const ConsoleOptions& options, const Of& verdict) {
+  std::vector<std::size_t> ends;
+  for (std::size_t i = 0; i < count; ++i)
+    if (i + 1 == count || !same_end(verdict(i), verdict(i + 1), options)) ends.push_back(i + 1);
+  return ends;
+}
+
+// The claims of a group by its first: "position follows … and 9 more claims".
+std::string claims_text(const Verdict& first, std::size_t count, const ConsoleOptions& options) {
+  const std::string claim = shown(first.claim, options);
+  return count == 1 ? claim : fmt::format("{} and {} more claim{}", claim, count - 1, count == 2 ? "" : "s");
+}
+
 using Line = std::array<std::string, 6>;
 
-Line claim_line(const Verdict& v, const ConsoleOptions& options) {
+Line claim_line(const Verdict& v, std::size_t count, const ConsoleOptions& options) {
   const bool measured = is_measured(v.status);
   std::string status(results::name(v.status));
   if (!v.as_expected()) status += fmt::format(" (expected {}) !", expectation(v));
   const std::string& why = v.detail.empty() ? v.tolerance_reason : v.detail;
-  return {shown(v.claim, options),
+  return {claims_text(v, count, options),
           measured ? shown(measured_text(v), options) : "",
           has_allowed(v) ? fmt::format("{:.4g} {}", v.allowed, shown(v.unit, options)) : "",
           measured ? fmt::format("{:+.1f}", results::digits(v.measured, v.allowed)) : "",
@@ -91,7 +113,14 @@ Line claim_line(const Verdict& v, const ConsoleOptions& options) {
 
 std::string claim_table(const std::vector<const Verdict*>& rows, const ConsoleOptions& options) {
   std::vector<Line> lines = {{"claim", "measured", "allowed", "digits", "status", "reason"}};
-  for (const Verdict* v : rows) lines.push_back(claim_line(*v, options));
+  std::vector<Status> statuses;
+  std::size_t begin = 0;
+  for (const std::size_t end :
+       groups(rows.size(), options, [&](std::size_t i) -> const Verdict& { return *rows[i]; })) {
+    lines.push_back(claim_line(*rows[begin], end - begin, options));
+    statuses.push_back(rows[begin]->status);
+    begin = end;
+  }
 
   std::string out;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -100,7 +129,7 @@ std::string claim_table(const std::vector<const Verdict*>& rows, const ConsoleOp
       int width = 0;
       for (const Line& line : lines) width = std::max(width, display_width(line[column]));
       const std::string field = fitted(lines[i][column], width, "");
-      out += (column == 4 && i > 0 ? painted(field, rows[i - 1]->status, options) : field) + "  ";
+      out += (column == 4 && i > 0 ? painted(field, statuses[i - 1], options) : field) + "  ";
     }
     out += lines[i].back() + "\n";
   }
@@ -169,15 +198,20 @@ std::string rescaled(const std::vector<Verdict>& verdicts) {
   return out;
 }
 
-}  // namespace
-
-std::string difference(const Verdict& v, const ConsoleOptions& options) {
-  std::string out = fmt::format("{}: {}\n", heading(v, options), shown(v.claim, options));
+// A verdict, or a group of them by its first.
+std::string difference_of(const Verdict& v, std::size_t count, const ConsoleOptions& options) {
+  std::string out = fmt::format("{}: {}\n", heading(v, options), claims_text(v, count, options));
   out += fmt::format("  {}\n", painted(shown(sentence(v), options), v.status, options));
-  add_line(out, "tolerance", v.tolerance_reason, options);
+  if (count == 1) add_line(out, "tolerance", v.tolerance_reason, options);
   out += complaints(v, options);
   add_line(out, "repeat with", v.reproduce, options);
   return out;
+}
+
+}  // namespace
+
+std::string difference(const Verdict& v, const ConsoleOptions& options) {
+  return difference_of(v, 1, options);
 }
 
 std::string console_details(const std::vector<Verdict>& verdicts, const ConsoleOptions& options) {
@@ -213,8 +247,12 @@ std::string console_summary(const std::vector<Verdict>& verdicts, const ConsoleO
   const auto unforeseen = [&](const Verdict& v) { return differs(v) && v.expected_reason.empty(); };
   if (std::any_of(verdicts.begin(), verdicts.end(), unforeseen))
     out += "(without a matching row in expected.toml, pass is expected)\n";
-  for (const Verdict& v : verdicts)
-    if (differs(v)) out += difference(v, options);
+  std::size_t begin = 0;
+  for (const std::size_t end :
+       groups(verdicts.size(), options, [&](std::size_t i) -> const Verdict& { return verdicts[i]; })) {
+    if (differs(verdicts[begin])) out += difference_of(verdicts[begin], end - begin, options);
+    begin = end;
+  }
   const auto open = [&](const Verdict& v) { return v.status == Status::undecided && !differs(v); };
   if (std::ranges::any_of(verdicts, open)) out += out.empty() ? "Undecided:\n" : "\nUndecided:\n";
   for (const Verdict& v : verdicts)

@@ -222,6 +222,30 @@ TEST(Console, SummaryCountsAddUp) {
       "6 verdicts: 2 pass, 2 as expected (1 fail, 1 unsupported), 2 differ (2 crash)\n");
 }
 
+// A misspelt option of an engine was told for every claim, twice.
+TEST(Console, RunWithoutMeasurementIsToldOnce) {
+  std::vector<Verdict> rows;
+  for (const char* claim : {"energy", "momentum", "position"}) {
+    rows.push_back(make("top", "ode", Status::unsupported));
+    rows.back().claim = claim, rows.back().expected = Status::pass, rows.back().detail = "no option 'x'";
+  }
+  const auto told = [](const std::string& text) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = text.find("no option 'x'", at)) != std::string::npos; ++at) ++count;
+    return count;
+  };
+  for (const std::string& text : {console_details(rows, plain), console_summary(rows, plain)}) {
+    EXPECT_EQ(told(text), 1u) << text;
+    EXPECT_TRUE(contains(text, "energy and 2 more claims")) << text;
+  }
+  EXPECT_TRUE(contains(console_summary(rows, plain), "3 differ (3 unsupported)"));
+  rows[1].detail = "another reason";  // no more than neighbours that end alike
+  EXPECT_TRUE(contains(console_details(rows, plain), "momentum "));
+  EXPECT_EQ(told(console_summary(rows, plain)), 2u);
+  for (Verdict& row : rows) row.status = Status::fail;  // each has a measurement of its own
+  EXPECT_FALSE(contains(console_details(rows, plain), "more claims"));
+}
+
 TEST(Console, DifferenceNamesCellClaimAmountAndCommand) {
   Verdict v = make("top", "bullet", Status::fail, 2.5);
   v.expected = Status::low_quality;

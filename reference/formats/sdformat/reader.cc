@@ -2,6 +2,7 @@
 
 #include "reference/formats/resources/gazebo.h"
 #include "reference/formats/resources/resources.h"
+#include "reference/formats/sdformat/includes.h"
 
 #include <filesystem>
 #include <utility>
@@ -66,8 +67,7 @@ std::string SdfReader::other_file(const std::string& path) const {
 }
 
 foreign::Model SdfReader::read() {
-  sdf::ParserConfig config;
-  config.SetFindCallback([this](const std::string& uri) -> std::string {
+  const auto find = [this](const std::string& uri) -> std::string {
     try {
       return resolve(uri, file_, roots_);
     } catch (const Refused&) {  // a folder of a model, or nothing: the library says so
@@ -78,7 +78,10 @@ foreign::Model SdfReader::read() {
           return folder.string();
       return "";
     }
-  });
+  };
+  require_no_circle(file_, find);
+  sdf::ParserConfig config;
+  config.SetFindCallback(find);
   read_file(config);
   check_warnings(config);
   add_meetings();

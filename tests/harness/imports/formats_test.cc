@@ -215,6 +215,19 @@ TEST(Bad, MjcfThatIncludesItselfIsRefusedAtTheLineThatTheLibraryTells) {
       << told;
 }
 
+// libsdformat read such a file twice over and said nothing, or went on until its time was up.
+TEST(Bad, SdfThatIncludesItselfIsRefusedWithTheWayRound) {
+  const fs::path file = data("includes_itself.sdf"), back = data("includes_back.sdf");
+  REQUIRE_LIBRARY(file);
+  const std::string a = fs::canonical(file).string(), b = fs::canonical(back).string();
+  EXPECT_NE(refusal(file).find("a file includes itself: " + a + " → " + b + " → " + a), std::string::npos)
+      << refusal(file);
+  EXPECT_NE(refusal(back).find("a file includes itself: " + b + " → " + a + " → " + b), std::string::npos)
+      << refusal(back);
+  const fs::path twice = data("includes_twice.sdf");  // one file, twice, is no circle
+  EXPECT_EQ(scenario::parse(import_file(twice, {}, programs).toml, "imported.toml").scene.bodies.size(), 3u);
+}
+
 // A hinge on the world takes the rotor's inertia to its body, other joints to their coordinate, from which --leave-out takes it.
 TEST(Armature, IsTheInertiaOfABodyOnTheWorldAndElsewhereOfACoordinate) {
   const fs::path file = data("rotors.xml");
