@@ -169,7 +169,7 @@ core::Truth bouncing_sphere(const core::Scene& scene, double horizon) {
   for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) {
     const core::Body& body = scene.bodies[static_cast<std::size_t>(i)];
     const double r = colliding_radius(name, scene, i);
-    check_steady_spin(name, scene, i);
+    check_steady_spin(name, scene, i, horizon);
     const core::Pair pair = {i, core::world, plane_of(scene, may_touch, i)};
     const core::Plane& plane = scene.planes[static_cast<std::size_t>(pair.plane)];
     const WideVector normal = widen(plane.normal).normalized();

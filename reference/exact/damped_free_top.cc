@@ -63,7 +63,7 @@ core::Truth damped_free_top(const core::Scene& scene, double horizon) {
   check_no_contacts(name, scene);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     check_free_rotation(name, scene, i);
-    if (Brake(scene, i).angular > 0) check_steady_spin(name, scene, static_cast<int>(i));
+    if (Brake(scene, i).angular > 0) check_steady_spin(name, scene, static_cast<int>(i), horizon);
   }
   return {.state = solve(scene),
           .error = rounding_error(scene, solve, horizon),

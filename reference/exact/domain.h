@@ -40,8 +40,9 @@ void check_springs(std::string_view solution, const core::Scene&);
 /// No spring has a rest length.
 void check_no_rest_length(std::string_view solution, const core::Scene&);
 
-/// The body turns about a fixed axis when no torque acts: |w x I w| <= 1e-14 |w| |I w|.
-void check_steady_spin(std::string_view solution, const core::Scene&, int body);
+/// The body turns about a fixed axis when no torque acts: the sine of the angle between w and I w is at most 1e-14, and
+/// about the axis of the middle moment, from which it grows as exp(growth t), remains so until the horizon [s].
+void check_steady_spin(std::string_view solution, const core::Scene&, int body, double horizon);
 
 /// The body is a sphere that collides.  Its radius [m].
 double colliding_radius(std::string_view solution, const core::Scene&, int body);

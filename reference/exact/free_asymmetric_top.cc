@@ -50,7 +50,7 @@ class AsymmetricTop {
     if (steady_) return s;
     const Amplitude f = elliptic_->at(rate_ * t + start_);
     const WideVector w = amplitude_.cwiseProduct(WideVector(f.cn, f.sn, f.dn));
-    const Wide phi = momentum_ * (t / moment_.z() + pi_factor_ * (elliptic_->third(n1_, f.am) - start_pi_));
+    const Wide phi = momentum_ * (t / moment_.z() + pi_factor_ * (elliptic_->third(n1_, f) - start_pi_));
     s.orientation = space_ * turn(WideVector::UnitZ(), phi) * euler(w) * axes_.conjugate();
     s.angular_velocity = s.orientation * (axes_ * w);
     return s;
@@ -90,7 +90,7 @@ class AsymmetricTop {
     const Wide sign_z = w.z() < 0 ? -1 : 1, sign_x = iz > iy ? sign_z : -sign_z;
     amplitude_ = {sign_x * std::sqrt(under_z / (ix * (iz - ix))), std::sqrt(under_z / (iy * (iz - iy))),
                   sign_z * std::sqrt(over_x / (iz * (iz - ix)))};
-    const Wide am = std::atan2(w.y() / amplitude_.y(), w.x() / amplitude_.x());
+    const Amplitude am = elliptic_->towards(w.y() / amplitude_.y(), w.x() / amplitude_.x());
     start_ = elliptic_->first(am);
     momentum_ = moment_.cwiseProduct(w).norm();
     n1_ = iy * (iz - ix) / (ix * (iz - iy));

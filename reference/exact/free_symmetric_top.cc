@@ -51,8 +51,10 @@ core::Truth free_symmetric_top(const core::Scene& scene, double horizon) {
   check_no_joints(name, scene);
   check_no_contacts(name, scene);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) check_symmetric(name, scene, static_cast<int>(i));
+  core::StateError error = rounding_error(scene, solve, horizon);
+  add_difference(scene, horizon, error);
   return {.state = solve(scene),
-          .error = rounding_error(scene, solve, horizon),
+          .error = error,
           .source = "Landau & Lifshitz, Mechanics, section 33: regular precession",
           .horizon = horizon};
 }

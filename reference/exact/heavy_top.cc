@@ -153,8 +153,10 @@ core::Truth heavy_top(const core::Scene& scene, double horizon) {
     check_joint(scene, i);
     check_top(scene, i);
   }
+  core::StateError error = rounding_error(scene, solve, horizon);
+  add_difference(scene, horizon, error);
   return {.state = solve(scene),
-          .error = rounding_error(scene, solve, horizon),
+          .error = error,
           .source =
               "Goldstein, Classical Mechanics, section 5.7; Whittaker, Analytical Dynamics, section 72 "
               "(Cayley-Klein)",

@@ -38,16 +38,23 @@ void HeavyTopAxis::find_turning_points(const AxisStart& s, Wide tilt, Wide turn)
   const Wide u0 = s.up.dot(s.direction), v0 = s.rate.squaredNorm(), beta = s.beta;
   const Wide w0 = (s.direction - s.up).squaredNorm() / 2,
              y0 = (s.direction + s.up).squaredNorm() / 2;  // 1 -+ u0
-  const bool through_above = std::abs(turn - a_ * w0) <= 1e-16L * std::sqrt(v0 + beta * y0) && v0 > beta * w0;
-  const bool through_below = std::abs(turn + a_ * y0) <= 1e-16L * std::sqrt(v0 + beta * y0);
-  // Through a pole, or past it by an angle below 1e-16.  (With b = a and V(1) < 0 it is u3 that is 1.)
+  // Through a pole, or past it by an angle c/sqrt(V) below 1e-16, V and c at the pole.  (With b = a and V(1) < 0 it is
+  // u3 that is 1.)
+  const Wide v_above = v0 - beta * w0, v_below = v0 + beta * y0;
+  const bool through_above = v_above > 0 && std::abs(turn - a_ * w0) <= 1e-16L * std::sqrt(v_above);
+  const bool through_below = std::abs(turn + a_ * y0) <= 1e-16L * std::sqrt(v_below);
   const bool vertical = std::min(w0, y0) <= 1e-33L && v0 <= 1e-33L * beta;
 
   // f about u0.
   const std::array<Wide, 4> f = {tilt * tilt, -beta * w0 * y0 - 2 * u0 * v0 + 2 * a_ * turn,
                                  2 * beta * u0 - v0 - a_ * a_, beta};
   auto [down, up] = turning_points(f, -y0, w0);
-  const Wide top = -f[2] / beta - down - up;  // u3 - u0, from the sum of the roots
+  // u3 - u0 from the sum of the roots, or from the sum of their products, where less cancels: next to a sleeping top
+  // u2 and u3 are both next to u0.
+  const Wide terms = beta * w0 * y0 + 2 * std::abs(u0) * v0 + 2 * std::abs(a_ * turn), both = down + up;
+  const bool by_sum =
+      (terms / beta + std::abs(down * up)) >= std::abs(both) * (std::abs(f[2] / beta) + std::abs(both));
+  const Wide top = by_sum ? -f[2] / beta - both : (f[1] / beta - down * up) / both;
   above_ = {.at_first = w0 - down, .at_second = w0 - up, .sum = turn - a_ * w0};
   below_ = {.at_first = y0 + down, .at_second = y0 + up, .sum = turn + a_ * y0};
   if (vertical) {
@@ -61,10 +68,10 @@ void HeavyTopAxis::find_turning_points(const AxisStart& s, Wide tilt, Wide turn)
   // Only where the difference did cancel: elsewhere it is exact enough, and next to a double root (steady
   // precession near a pole) Newton's method would be worse.
   if (through_above || (up != 0 && above_.at_second < std::min(1e-6L, w0 / 8))) {
-    above_.at_second = polish(above_.at_second, v0 - beta * w0, beta, above_.sum, a_);
+    above_.at_second = polish(above_.at_second, v_above, beta, above_.sum, a_);
   }
   if (through_below || (down != 0 && below_.at_first < std::min(1e-6L, y0 / 8))) {
-    below_.at_first = polish(below_.at_first, v0 + beta * y0, -beta, below_.sum, -a_);
+    below_.at_first = polish(below_.at_first, v_below, -beta, below_.sum, -a_);
   }
 
   const Wide width = up - down, m1 = (top - up) / (top - down);
@@ -74,15 +81,16 @@ void HeavyTopAxis::find_turning_points(const AxisStart& s, Wide tilt, Wide turn)
   elliptic_.emplace(width / (top - down), m1);
   rate_ = std::sqrt(beta * (top - down)) / 2;
   // sn^2 : cn^2 = u0 - u1 : u2 - u0, and u' has the sign of sn cn.
-  const Wide am = width == 0 ? 0 : std::copysign(std::atan2(std::sqrt(-down), std::sqrt(up)), tilt);
-  start_ = elliptic_->first(am);
-  const Wide am0 = elliptic_->at(start_).am;  // am to the last bit: next to a pole the integrals feel it
+  const Wide sine = width == 0 ? 0 : std::copysign(std::sqrt(-down), tilt),
+             cosine = width == 0 ? 1 : std::sqrt(up);
+  start_ = elliptic_->first(elliptic_->towards(sine, cosine));
+  const Amplitude am0 = elliptic_->at(start_);  // to the last bit: next to a pole the integrals feel it
   start_minus_ = integral(above_, am0);
   start_plus_ = integral(below_, am0);
 }
 
 // sum/2 int dt/(first cn^2 + second sn^2) = sum/(2 lam first) Pi(n; am), 1 - n = second/first.
-Wide HeavyTopAxis::integral(const Pole& pole, Wide am) const {
+Wide HeavyTopAxis::integral(const Pole& pole, const Amplitude& am) const {
   return pole.sum == 0
              ? 0
              : pole.sum / (2 * rate_ * pole.at_first) * elliptic_->third(pole.at_second / pole.at_first, am);
@@ -95,7 +103,8 @@ AxisState HeavyTopAxis::at(Wide t) const {
     (s.cosine > s.sine ? s.plus : s.minus) = (s.cosine > s.sine ? a_ : -a_) * t / 2;
     return s;
   }
-  const auto [am, sn, cn, dn] = elliptic_->at(rate_ * t + start_);
+  const Amplitude am = elliptic_->at(rate_ * t + start_);
+  const Wide sn = am.sn, cn = am.cn, dn = am.dn;
   const Wide width = above_.at_first - above_.at_second;
   const Wide tilt = 2 * width * rate_ * sn * cn * dn;  // u'
 

@@ -45,7 +45,7 @@ class HeavyTopAxis {
   };
 
   void find_turning_points(const AxisStart&, Wide tilt_product, Wide turn_product);
-  Wide integral(const Pole&, Wide am) const;
+  Wide integral(const Pole&, const Amplitude& am) const;
 
   bool at_rest_ = false;  // vertical, and stays so
   Wide a_ = 0, rate_ = 0, start_ = 0;

@@ -169,7 +169,7 @@ std::function<core::State(double)> solve(const core::Scene& scene) {
   return [bodies = TwoBodies(scene)](double t) { return bodies.at(t); };
 }
 
-void check_pair(const core::Scene& scene) {
+void check_pair(const core::Scene& scene, double horizon) {
   if (scene.bodies.size() != 2) refuse(name, "the scene must have two bodies");
   const Pair pair = pair_of(scene);
   const core::Body &a = scene.bodies[pair.a], &b = scene.bodies[pair.b];
@@ -179,7 +179,7 @@ void check_pair(const core::Scene& scene) {
   }
   if (!(pair.force->strength > 0)) refuse(name, "the attraction has no strength");
   for (int i : {0, 1}) {
-    if (!scene.bodies[static_cast<std::size_t>(i)].locked) check_steady_spin(name, scene, i);
+    if (!scene.bodies[static_cast<std::size_t>(i)].locked) check_steady_spin(name, scene, i, horizon);
   }
   const core::Vector3 zero(0, 0, 0),
       d = b.initial.position - a.initial.position,
@@ -202,7 +202,7 @@ core::Truth kepler(const core::Scene& scene, double horizon) {
   check_falls_alike(name, scene);
   check_no_joints(name, scene);
   check_no_contacts(name, scene);
-  check_pair(scene);
+  check_pair(scene, horizon);
   return {.state = solve(scene),
           .error = rounding_error(scene, solve, horizon),
           .source =

@@ -66,7 +66,8 @@ core::Truth linear_motions(std::string_view solution, const core::Scene& scene, 
                            std::string source) {
   check_no_joints(solution, scene);
   check_no_contacts(solution, scene);
-  for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) check_steady_spin(solution, scene, i);
+  for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i)
+    check_steady_spin(solution, scene, i, horizon);
   return {.state = solve(scene),
           .error = rounding_error(scene, solve, horizon),
           .source = std::move(source),

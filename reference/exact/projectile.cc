@@ -23,7 +23,7 @@ core::Truth projectile(const core::Scene& scene, double horizon) {
   check_forces(name, scene, {"gravity"});
   check_no_joints(name, scene);
   check_no_contacts(name, scene);
-  for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) check_steady_spin(name, scene, i);
+  for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) check_steady_spin(name, scene, i, horizon);
   return {.state = solve(scene),
           .error = rounding_error(scene, solve, horizon),
           .source = "Galilei's parabola, p = p0 + v0 t + g t^2/2; a free principal axis keeps its direction",

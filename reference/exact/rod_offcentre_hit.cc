@@ -170,7 +170,7 @@ core::Truth rod_offcentre_hit(const core::Scene& scene, double horizon) {
   check_meets(name, scene, core::ContactRules(scene), {0, 1, -1});
   check_smooth(name, scene, {0, 1, -1});
   const Pairing pair(scene);
-  check_steady_spin(name, scene, pair.sphere);
+  check_steady_spin(name, scene, pair.sphere, horizon);
   const core::Body& box = Pairing::body(scene, pair.box);
   const WideVector p =
       widen(box.initial.orientation).conjugate() *

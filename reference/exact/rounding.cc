@@ -10,7 +10,7 @@ namespace cylon::exact {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double step = 1e-8;
+constexpr double step = 1e-12;
 constexpr int times = 128;
 
 double angle(const core::Quaternion& p, const core::Quaternion& q) {

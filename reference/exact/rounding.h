@@ -18,7 +18,8 @@ using Solve = std::function<std::function<core::State(double)>(const core::Scene
 /// The first term is the rounding of the result (inside, 80 bits keep what the closed forms cancel); the
 /// second is the rounding of each p to double and of each double operation that has the same effect: the
 /// scene's conditioning, total angles included, as d(phase)/d(rate) = t.  The derivatives are differences
-/// over 1e-8 p at 128 times; 4 eps is eight times a rounding, which leaves room for peaks between them.
+/// over 1e-12 p (next to a separatrix a longer one is none any more) at 128 times; 4 eps is eight times a rounding, which
+/// leaves room for peaks between them.
 core::StateError rounding_error(const core::Scene&, const Solve& solve, double horizon);
 
 }  // namespace cylon::exact

@@ -65,7 +65,7 @@ core::Truth seed_airplane(const core::Scene& scene, double horizon) {
     const auto* thrust = std::get_if<core::Thrust>(&force);
     if (thrust && thrust->mass_rate != 0) refuse(name, named(scene, thrust->body) + " changes its mass");
   }
-  for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) check_steady_spin(name, scene, i);
+  for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) check_steady_spin(name, scene, i, horizon);
   return {.state = solve(scene),
           .error = rounding_error(scene, solve, horizon),
           .source = "Newton's law with a force that turns at a constant rate, integrated twice",

@@ -223,6 +223,13 @@ void add_spread(const core::Scene& scene, const Rows& rows, double horizon, core
                              rate == 0 ? 0 : rate + 4 * eps * s.velocity.norm(), 0};
     }
   }
+  // Rows keep apart: neither do they move across their lines against each other.
+  const core::Vector3 whole = scene.bodies[0].initial.velocity;
+  for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) {
+    const core::Vector3 against = scene.bodies[index_of(i)].initial.velocity - whole;
+    if (beside(d, widen(against)).norm() > 1e-12L * widen(against).norm())
+      refuse(name, named(scene, i) + " does not move along the lines of the others");
+  }
   for (const Impact& hit : rows.impacts) {
     Spread &a = spread[index_of(hit.a)], &b = spread[index_of(hit.b)];
     const Wide turn = (a.at(hit.time) + b.at(hit.time)) / reach(scene, hit.a, hit.b);
@@ -280,7 +287,7 @@ core::Truth sphere_row(const core::Scene& scene, double horizon) {
   if (!scene.planes.empty()) refuse(name, "the scene has plane '" + scene.planes[0].name + "'");
   for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) {
     colliding_radius(name, scene, i);
-    check_steady_spin(name, scene, i);
+    check_steady_spin(name, scene, i, horizon);
   }
   check_starts_apart(scene, direction(scene));
   const Rows rows = solve(scene, horizon);

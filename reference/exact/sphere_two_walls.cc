@@ -77,7 +77,7 @@ core::Truth sphere_two_walls(const core::Scene& scene, double horizon) {
   const int count = static_cast<int>(scene.bodies.size());
   for (int i = 0; i < count; ++i) {
     const double r = colliding_radius(name, scene, i);
-    check_steady_spin(name, scene, i);
+    check_steady_spin(name, scene, i, horizon);
     if (!(-right.offset - left.offset > 2 * r)) refuse(name, named(scene, i) + " has no room");
     const core::Vector3& p = scene.bodies[static_cast<std::size_t>(i)].initial.position;
     for (int k : {0, 1}) {

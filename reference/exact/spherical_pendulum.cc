@@ -38,7 +38,10 @@ class Bob {
     // (theta' cos theta + i phi' sin theta) exp(i phi).
     world_ = turn_between(WideVector::UnitZ(), up);
     const AxisState a = axis_.at(0);
-    const WideVector e = world_.conjugate() * d, de = world_.conjugate() * rate;
+    const WideVector off = d.dot(up) > 0
+                               ? WideVector(d - up)
+                               : WideVector(d + up);  // across the vertical, with the digits that d has not
+    const WideVector e = world_.conjugate() * (off - off.dot(up) * up), de = world_.conjugate() * rate;
     const Wide across = std::hypot(e.x(), e.y()), moving = std::hypot(de.x(), de.y());
     if (moving > axis_.rate() * across) {
       const Wide upward = a.cosine * a.cosine - a.sine * a.sine;
@@ -77,7 +80,7 @@ std::function<core::State(double)> solve(const core::Scene& scene) {
   return together(std::move(motions));
 }
 
-void check_rod(const core::Scene& scene, int index) {
+void check_rod(const core::Scene& scene, int index, double horizon) {
   const std::string of = named(scene, index);
   int joints = 0;
   for (const core::Joint& joint : scene.joints) {
@@ -98,7 +101,7 @@ void check_rod(const core::Scene& scene, int index) {
   if (std::abs(arm.dot(s.velocity)) > 1e-9 * rod.length * (1 + s.velocity.norm())) {
     refuse(name, "the initial velocity of " + of + " breaks its joint");
   }
-  check_steady_spin(name, scene, index);
+  check_steady_spin(name, scene, index, horizon);
   if (!Bob(scene, static_cast<std::size_t>(index)).periodic()) {
     refuse(name, of + " is on the separatrix or too near it: it comes to rest upright");
   }
@@ -111,7 +114,7 @@ core::Truth spherical_pendulum(const core::Scene& scene, double horizon) {
   check_forces(name, scene, {"gravity"});
   check_no_contacts(name, scene);
   check_all_fall(name, scene);
-  for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) check_rod(scene, i);
+  for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) check_rod(scene, i, horizon);
   return {.state = solve(scene),
           .error = rounding_error(scene, solve, horizon),
           .source = "Whittaker, Analytical Dynamics, section 55: the spherical pendulum",

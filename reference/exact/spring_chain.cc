@@ -269,7 +269,7 @@ core::Truth spring_chain(const core::Scene& scene, double horizon) {
   check_falls_alike(name, scene);
   check_no_joints(name, scene);
   check_no_contacts(name, scene);
-  for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) check_steady_spin(name, scene, i);
+  for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) check_steady_spin(name, scene, i, horizon);
   check_springs_between_centres(scene);
   check_line(scene);
   const Chain chain(scene);

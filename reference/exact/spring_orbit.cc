@@ -195,7 +195,7 @@ core::Truth spring_orbit(const core::Scene& scene, double horizon) {
   check_no_joints(name, scene);
   check_no_contacts(name, scene);
   if (!common_gravity(scene).isZero(0.0)) refuse(name, "the scene has gravity");
-  for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) check_steady_spin(name, scene, i);
+  for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) check_steady_spin(name, scene, i, horizon);
   check_orbits(scene);
   return {.state = solve(scene),
           .error = rounding_error(scene, solve, horizon),

@@ -55,7 +55,7 @@ core::Truth spring_zero_length(const core::Scene& scene, double horizon) {
   check_springs(name, scene);
   check_no_joints(name, scene);
   check_no_contacts(name, scene);
-  for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) check_steady_spin(name, scene, i);
+  for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) check_steady_spin(name, scene, i, horizon);
   check_no_rest_length(name, scene);
   return {.state = solve(scene),
           .error = rounding_error(scene, solve, horizon),

@@ -2,6 +2,8 @@
 
 #include "reference/exact/domain.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace cylon::exact {
@@ -28,6 +30,19 @@ Symmetry symmetry(const core::Matrix3& inertia, const core::Vector3& hint) {
     }
   }
   return best;
+}
+
+void add_difference(const core::Scene& scene, double horizon, core::StateError& error) {
+  for (const core::Body& body : scene.bodies) {
+    const Symmetry s = symmetry(body.inertia);
+    if (s.difference == 0) continue;
+    const WideVector w = widen(body.initial.orientation).conjugate() * widen(body.initial.angular_velocity);
+    const Wide rate = w.norm(), against = std::abs(w.dot(s.axis) * (1 - s.axial / s.transverse));
+    const Wide time = std::min<Wide>(horizon, against > 0 ? 1 / against : horizon);
+    const Wide growth = s.difference * (1 + rate * time);
+    error.orientation += static_cast<double>(growth * rate * horizon);
+    error.angular_velocity += static_cast<double>(growth * rate);
+  }
 }
 
 void check_symmetric(std::string_view solution, const core::Scene& scene, int index) {

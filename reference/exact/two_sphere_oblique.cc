@@ -71,7 +71,7 @@ core::Truth two_sphere_oblique(const core::Scene& scene, double horizon) {
   if (scene.bodies.size() != 2) refuse(name, "the scene must have two bodies");
   if (!scene.planes.empty()) refuse(name, "the scene has a plane, '" + scene.planes.front().name + "'");
   const Wide radii = Wide(colliding_radius(name, scene, 0)) + Wide(colliding_radius(name, scene, 1));
-  for (int i : {0, 1}) check_steady_spin(name, scene, i);
+  for (int i : {0, 1}) check_steady_spin(name, scene, i, horizon);
   const core::Pair pair = {0, 1, -1};
   check_meets(name, scene, core::ContactRules(scene), pair);
   const auto material = core::material_of(scene, pair);

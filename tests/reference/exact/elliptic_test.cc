@@ -12,6 +12,12 @@ namespace {
 
 constexpr Wide ulp = 1.1e-19L;
 
+// The amplitude of an angle, which may be any number of turns.
+Amplitude amplitude(Wide phi) {
+  const Wide half_turns = std::round(phi / std::numbers::pi_v<Wide>);
+  return {phi, half_turns, std::sin(phi), std::cos(phi), 0};
+}
+
 TEST(Elliptic, agrees_with_boost) {
   for (Wide m : {0.0L, 0.1L, 0.5L, 0.9L, 0.999L}) {
     const Elliptic e(m, 1 - m);
@@ -21,7 +27,7 @@ TEST(Elliptic, agrees_with_boost) {
       EXPECT_LE(std::abs(e.first(phi) - f), 1e-17L * std::abs(f));
       for (Wide n : {-1e6L, -5.0L, -0.3L, 0.4L, 0.95L}) {
         const Wide third = boost::math::ellint_3(std::sqrt(m), n, phi);
-        EXPECT_LE(std::abs(e.third(1 - n, phi) - third), 1e-16L * std::abs(third))
+        EXPECT_LE(std::abs(e.third(1 - n, amplitude(phi)) - third), 1e-16L * std::abs(third))
             << "n " << n << " phi " << phi;
       }
     }
@@ -56,8 +62,25 @@ TEST(Elliptic, derivatives) {
   for (Wide phi : {0.5L, 1.2L, 2.0L, 7.0L}) {
     const Wide s = std::sin(phi), c = std::cos(phi);
     const Wide expected = 1 / ((c * c + n1 * s * s) * std::sqrt(c * c + m1 * s * s));
-    EXPECT_NEAR(static_cast<double>((e.third(n1, phi + h) - e.third(n1, phi - h)) / (2 * h) / expected), 1,
-                1e-7);
+    EXPECT_NEAR(static_cast<double>((e.third(n1, amplitude(phi + h)) - e.third(n1, amplitude(phi - h))) /
+                                    (2 * h) / expected),
+                1, 1e-7);
+  }
+}
+
+// Next to a quarter turn: cn and dn to all digits, and Pi without two large terms that cancel.  With psi = pi/2 - am small,
+// u = K - psi/sqrt(m1),  cn = psi,  and Pi = Pi(pi/2) - psi/(n1 sqrt(m1)), to the order of psi^2/m1.
+TEST(Elliptic, keeps_its_digits_at_the_quarter_turn) {
+  const Wide m1 = 1e-10L, n1 = 1e21L;
+  const Elliptic e(1 - m1, m1);
+  for (Wide psi : {1e-12L, 1e-14L, 1e-17L, 0.0L}) {
+    const Wide du = psi / std::sqrt(m1);
+    if (psi > 1e-14L) {
+      EXPECT_NEAR(static_cast<double>(e.at(e.quarter() - du).cn / psi), 1, 1e-9);
+    }
+    const Amplitude near = e.towards(std::cos(psi), std::sin(psi)), quarter = e.towards(1, 0);
+    EXPECT_NEAR(static_cast<double>((e.third(n1, quarter) - e.third(n1, near)) * n1 - du), 0,
+                1e-10 * static_cast<double>(du + e.third(n1, quarter) * n1 * 1e-8L));
   }
 }
 
