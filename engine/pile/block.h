@@ -22,7 +22,7 @@ struct Past {
   Real acted = 0;                     ///< For how long, of what forces gave [s].
   bool known = false;                 ///< Whether that was a leap, or of a rotor any solution, which left:
   Vector3 u = Vector3::Zero();        ///< Of hold its part in `space`.
-  Vector3 normal = Vector3::UnitY();  ///< Of a contact and of a rotor.
+  Vector3 normal = Vector3::UnitY();  ///< Of a contact; of a rotor with its gearing, so that normal.u is q'.
 };
 
 /// With u the velocity of a's point against b's (angular: the angular velocity of a against b's) and J the
@@ -43,9 +43,12 @@ struct Block {
   Real gearing = 1;  ///< Of a law, an angle of a gimbal apart: q' = gearing n.u with n unit.
   Vector3 own_normal = Vector3::UnitY();  ///< The same in a's axes, of two bodies.
   Matrix3 space = Matrix3::Identity();
+  bool offset =
+      false;  ///< Of a joint whose points are apart: the arms end at one point that is no anchor of both.
   Real friction = 0, target = 0;  ///< Of rub: a force [N, N m].
   Real limit = 0;                 ///< Of rub, in this part of the step [N s, N m s].
   Real push = 0, drag = 0;        ///< Of soft, the same [N s, N m s; kg, kg m^2].
+  Real rotor = 0, turned = 0;  ///< Of soft: of its drag the rotor's part, and u_n that the rotor had before.
   Vector3 impulse = Vector3::Zero();
   Vector3 before = Vector3::Zero();  ///< u before the forces of the step, of a direct solution.
   Vector3 bias = Vector3::Zero();    ///< A direct solution meets the laws with u + bias.

@@ -339,6 +339,7 @@ void place_hold(const Joint& joint, Block& block, const std::vector<Motion>& mot
 Block split_at_offset(const Joint& joint, Block& block, const std::vector<Motion>& motions) {
   const Vector3 h = orientation_of(joint.to, motions) * joint.to_axis;
   const Motion& body = motions[index(joint.body)];
+  block.offset = true;
   Block along = block;
   along.space = h * h.transpose();
   if (joint.to != fixed_world) along.to_arm = body.position + block.arm - motions[index(joint.to)].position;

@@ -130,7 +130,8 @@ void BodyPile::kick_ahead(Time now, Real lag, Real h) {
   for (Block& block : blocks_) {
     const Vector3 u = relative_velocity(block, movers_);
     block.past.u = block.kind == Block::Kind::hold ? Vector3(block.space * u) : u;
-    block.past.normal = block.normal;
+    block.past.normal =
+        block.kind == Block::Kind::soft ? Vector3(block.gearing * block.normal) : block.normal;
     block.past.known = true;
   }
   if (keep_) note_share(true);

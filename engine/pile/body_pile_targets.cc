@@ -58,11 +58,12 @@ void BodyPile::soften(Block& block, Time now, Real span, Real h) const {
   const Real speed = gearing * std::abs(block.normal.dot(block.before));
   block.drag = gearing * gearing * span * (law.damping + law.quadratic_damping * speed + h * law.stiffness);
   if (law.armature == 0) return;
-  // As the last part left it: since then axes have turned, which a rotor answers too.
+  // As the last part left it: since then axes have turned, and gearings changed, which a rotor answers too.
   const Past& past = block.past;
-  const Real turned = past.known ? past.normal.dot(past.u) : block.normal.dot(block.before);
+  const Real turned = past.known ? past.normal.dot(past.u) / gearing : block.normal.dot(block.before);
   const Real rotor = gearing * gearing * law.armature;
   block.push += rotor * turned, block.drag += rotor;
+  block.rotor = rotor, block.turned = turned;
 }
 
 // How fast rotors turn, before the drift turns their axes.
@@ -70,7 +71,7 @@ void BodyPile::note_rotors() {
   for (Block& block : blocks_) {
     if (block.kind != Block::Kind::soft || !takes(block)) continue;
     if (model_.forces.coordinate_laws[index(block.law)].armature == 0) continue;
-    block.past.u = relative_velocity(block, movers_), block.past.normal = block.normal;
+    block.past.u = relative_velocity(block, movers_), block.past.normal = block.gearing * block.normal;
     block.past.known = true;
   }
 }

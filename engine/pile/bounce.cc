@@ -27,11 +27,17 @@ struct Work {
   Real sum = 0, size = 0;
 };
 
+// P without what a rotor gives, -rotor (u - turned) of it: that comes from the rotor's own energy.
+Vector3 without_rotor(const Block& block, const Vector3& impulse, const Vector3& after) {
+  return impulse + block.rotor * (block.normal.dot(after) - block.turned) * block.normal;
+}
+
 // Sum of P.(u- + u+)/2 over a group.
 Work work(const Group& group, const std::vector<Block>& blocks, const Solution& s) {
   Work w;
   for (const int k : group.blocks) {
-    const Vector3 &p = s.impulses[index(k)], &before = blocks[index(k)].before, &after = s.after[index(k)];
+    const Vector3 &before = blocks[index(k)].before, &after = s.after[index(k)];
+    const Vector3 p = without_rotor(blocks[index(k)], s.impulses[index(k)], after);
     w.sum += p.dot(before + after) / 2;
     w.size += p.norm() * (before.norm() + after.norm()) / 2;
   }
@@ -42,9 +48,10 @@ Work work(const Group& group, const std::vector<Block>& blocks, const Solution& 
 Real share(const Group& group, const std::vector<Block>& blocks, const Solution& dull, const Solution& full) {
   Real square = 0;
   for (const int k : group.blocks)
-    square +=
-        (full.impulses[index(k)] - dull.impulses[index(k)]).dot(full.after[index(k)] - dull.after[index(k)]) /
-        2;
+    square += (without_rotor(blocks[index(k)], full.impulses[index(k)], full.after[index(k)]) -
+               without_rotor(blocks[index(k)], dull.impulses[index(k)], dull.after[index(k)]))
+                  .dot(full.after[index(k)] - dull.after[index(k)]) /
+              2;
   const Real none = work(group, blocks, dull).sum, all = work(group, blocks, full).sum;
   return greatest_share(square, all - none - square, none);
 }

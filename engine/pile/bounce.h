@@ -8,7 +8,7 @@ namespace cylon::engine::pile {
 /// Newton's restitution with friction can give energy: T. R. Kane, D. A. Levinson, Dynamics, 1985, 5.8.  The impulses P_e
 /// of a group of bodies that touch do the work, with u- before the forces of the step and u+ after,
 ///   W = sum P.(u- + u+)/2.
-/// Where W > 0, restitution is lowered as in engine/contact/impact.h:
+/// P without what rotors give.  Where W > 0, restitution is lowered as in engine/contact/impact.h:
 ///   P = P_0 + theta (P_e - P_0),  P_0 without restitution,  the greatest theta in [0, 1] with W <= 0.
 /// P keeps Signorini's law for the lower restitution and, cones being convex, |P_t| <= friction P_n.
 class Bounce {

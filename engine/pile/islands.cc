@@ -37,6 +37,10 @@ void meet_halfway(std::vector<Block>& blocks, const std::vector<Motion>& motions
   for (Block& block : blocks) {
     if (block.angular || block.is_along_normal() || block.b == fixed_world) continue;
     const Motion &a = motions[index(block.a)], &b = motions[index(block.b)];
+    if (block.offset) {
+      block.to_arm = a.position + block.arm - b.position;
+      continue;
+    }
     const Vector3 point =
         (a.position + a.orientation * block.anchor + b.position + b.orientation * block.to_anchor) / 2;
     block.arm = point - a.position, block.to_arm = point - b.position;

@@ -12,7 +12,8 @@ namespace cylon::engine::pile {
 bool isolated(const Model&);
 
 /// Impulses act on both bodies at one point, midway between the two anchors, wherever these have moved since
-/// the contact was found: then they change neither momentum of the pair.
+/// the contact was found: then they change neither momentum of the pair.  Where a joint keeps its points apart, at that
+/// which was found.
 void meet_halfway(std::vector<Block>&, const std::vector<Motion>&);
 
 /// Of an island, about its centre of mass X and in its rest frame, with r = p - X, v = K/m:

@@ -96,6 +96,101 @@ TEST(JointsInSteps, RotorStrikesAsInertiaDoes) {
   }
 }
 
+// Two moving bodies on a joint, with a floor far below or with nothing but a ball beside them, which they do not meet.
+Model pair_in_steps(const Model& pair, bool isolated) {
+  Model model = pair;
+  for (Shape& shape : model.shapes) shape = Sphere{Real(0.1)};
+  if (isolated)
+    add_body(model, make_body(1, Real(0.004) * Matrix3::Identity()), {0.5, 3, 0.2}, {0, 0, 0}, {0, 0, 0},
+             {0, 0, 0}, Sphere{Real(0.1)});
+  else
+    model.planes = {{Vector3::UnitY(), -40}};
+  make_touchable(model, 0);
+  return model;
+}
+
+Real apart(const std::vector<Motion>& a, const std::vector<Motion>& b) {
+  Real worst = 0;
+  for (std::size_t i = 0; i < 2; ++i)
+    worst = std::max({worst, (a[i].position - b[i].position).norm(), (a[i].momentum - b[i].momentum).norm(),
+                      (a[i].angular_momentum - b[i].angular_momentum).norm()});
+  return worst;
+}
+
+// What steps leave falls with the step, for each kind of joint, with a rotor on its first coordinate, on its second, on none.
+// Joints whose points are apart were pushed midway between these, and a rotor that is geared to its coordinate forgot that its
+// gearing changes: both errors stayed, however short the steps.
+TEST(JointsInSteps, ConvergeForEachKindWithARotor) {
+  for (const JointKind& kind : joint_kinds) {
+    if (kind.type.couples) continue;
+    for (const int rotor : {-1, 0, 1})
+      for (const bool isolated : {false, true}) {
+        JointScene scene = joint_scene(kind.type, false);
+        const bool turns = kind.type.turn != Joint::Turn::never;
+        if (rotor >= 0) {
+          CoordinateLaw law;
+          if (turns && (rotor == 0 || kind.type.turn != Joint::Turn::about_axis))
+            law.at = scene.angle(rotor == 1);
+          else
+            law.at = scene.displacement(kind.type.place == Joint::Place::in_plane && rotor == 0 ? scene.second
+                                        : kind.type.place == Joint::Place::in_plane
+                                            ? Vector3(scene.axis.cross(scene.second))
+                                            : scene.axis);
+          law.armature = Real(0.05);
+          if (kind.type.place == Joint::Place::together && !turns) continue;
+          scene.model.forces.coordinate_laws = {law};
+        }
+        const Model model = pair_in_steps(scene.model, isolated);
+        const auto exact = run(scene.model, "auto", 0.5, 50).motions;
+        std::array<Real, 2> off;
+        for (const int finer : {0, 1}) {
+          const int steps = finer == 1 ? 1024 : 256;
+          off[static_cast<std::size_t>(finer)] = apart(after_steps(model, 0.5 / steps, steps).motions, exact);
+        }
+        EXPECT_LT(off[1], off[0] / 3 + 1e-9)
+            << kind.name << ", rotor " << rotor << (isolated ? ", alone" : ", over a floor");
+      }
+  }
+}
+
+// The restitution of a stop was lowered where the bodies took energy from a rotor, as if it came from nowhere.
+TEST(JointsInSteps, ElasticStopKeepsTheEnergyOfARotorBesideIt) {
+  Model pair;
+  add_body(pair, make_body(1, Vector3(0.043, 0.097, 0.113).asDiagonal()), {0, 0, 0}, {0, 0, 0}, {0, 0, 0},
+           {0, 0, 0});
+  add_body(pair, make_body(2, Vector3(0.067, 0.033, 0.087).asDiagonal()), {1.2, -0.17, 0.1}, {0, 0, 0},
+           {-2, 0, 1}, {0, 0, 0});
+  Joint joint{.type = joint_types::rectangular,
+              .body = 1,
+              .anchor = {-0.6, 0.17, -0.1},
+              .to = 0,
+              .to_anchor = {0.6, 0, 0}};
+  joint.axis = joint.to_axis = Vector3::UnitY();
+  pair.joints = {joint};
+  CoordinateLaw stop;
+  stop.at.body = 1, stop.at.anchor = joint.anchor, stop.at.to = 0, stop.at.to_anchor = joint.to_anchor;
+  CoordinateLaw rotor = stop;
+  stop.at.axis = Vector3::UnitX(), stop.lower = Real(-0.05), stop.upper = Real(0.05), stop.restitution = 1;
+  rotor.at.axis = Vector3::UnitZ(), rotor.armature = Real(0.5);
+  pair.forces.coordinate_laws = {stop, rotor};
+  const auto energy = [&](const Model& model, const std::vector<Motion>& motions) {
+    Real sum = 0;
+    for (std::size_t i = 0; i < 2; ++i)
+      sum += motions[i].momentum.squaredNorm() / (2 * model.bodies[i].mass) +
+             motions[i].angular_momentum.dot(angular_velocity(model.bodies[i], motions[i])) / 2;
+    const Real turned =
+        speed_of(row_of(rotor.at, model.bodies, motions.data()), model.bodies, motions.data());
+    return sum + rotor.armature * turned * turned / 2;
+  };
+  for (const bool isolated : {false, true}) {
+    const Model model = pair_in_steps(pair, isolated);
+    const Real before = energy(model, model.motions);
+    const auto end = after_steps(model, 1e-4, 500).motions;
+    EXPECT_GT((end[1].momentum - model.motions[1].momentum).norm(), 1) << "it has struck";
+    EXPECT_NEAR(energy(model, end), before, 1e-4 * before) << isolated;
+  }
+}
+
 // A light link on a universal joint, which a heavy body on its hinge turns by 0.1 rad in a step.  The rows of both joints ask
 // for large turns of the link that cancel; made one after another they left more than they took, and the body flew off.
 TEST(JointsInSteps, AreClosedOnALightLink) {
