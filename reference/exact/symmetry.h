@@ -20,6 +20,7 @@ Symmetry symmetry(const core::Matrix3& inertia, const core::Vector3& hint = core
 /// What a difference of the two moments does that the solution does not know, added to the bound.  With w the rate and W the
 /// rate at which the body turns about its axis against its precession: the axial rate changes by at most
 ///   difference w^2 min(t, 1/W),  and the orientation by  difference w t (1 + w min(t, 1/W)).
+/// Derived for a free body.  Of a heavy top it holds where no deviation grows, not next to an unstable sleeping one.
 void add_difference(const core::Scene&, double horizon, core::StateError&);
 
 /// Refuses a body without two equal moments (within 1e-12) or with moments that are not positive.
