@@ -240,6 +240,33 @@ void follow(const Table& t, const Draft& draft, Truths& truths, Claim& claim, do
   require_event(t, claim, horizon);
 }
 
+// The times after the start that a claim looks at, in a run at `step`.
+std::int64_t samples_after_start(const Claim& claim, double duration, double step) {
+  if (claim.truth && !claim.truth->times.empty())
+    return std::ranges::count_if(claim.truth->times, [](double time) { return time > 0; });
+  const double end = std::min(claim.until, duration) * (1 + 1e-9);
+  const double apart = claim.sample && *claim.sample > 0 ? *claim.sample : step;
+  const double whole = std::floor(end / apart);
+  const bool last_too = claim.until >= duration && whole * apart < duration * (1 - 1e-9);
+  return static_cast<std::int64_t>(std::min(whole, 1e9)) + (last_too ? 1 : 0);
+}
+
+// A mean square gives the last sample no weight, and the start deviates by nothing; a slope needs two times.
+void require_samples(const Table& t, const Claim& claim, double duration, double step) {
+  const bool recorded = claim.truth && !claim.truth->times.empty();
+  const std::int64_t after = samples_after_start(claim, duration, step);
+  const bool starts = !recorded || claim.truth->times.front() == 0;
+  const bool square = claim.reduction == Reduction::mean_square && after < 2;
+  const bool slope = claim.reduction == Reduction::rate && after + (starts ? 1 : 0) < 2;
+  if (!square && !slope) return;
+  t.fail(
+      "measure",
+      fmt::format("measure = \"{}\" of {} sample{} after the start measures nothing{}; valid: {} or more{}",
+                  core::name(claim.reduction), after, after == 1 ? "" : "s",
+                  square ? ", as the last one has no weight" : "", 2,
+                  recorded ? "" : ", by a shorter 'sample' or a later 'until'"));
+}
+
 }  // namespace
 
 ReadClaims read_claims(const Table& root, Draft& draft, double duration, double step) {
@@ -255,9 +282,11 @@ ReadClaims read_claims(const Table& root, Draft& draft, double duration, double 
     if (labelled && std::ranges::find(result.claims, claim.label, &Claim::label) != result.claims.end())
       t.fail(fmt::format("the claim '{}' is made twice", claim.label));
     if (certified) {
+      require_samples(t, claim, duration, step);
       result.certified.push_back({result.claims.size(), t});
     } else {
       if (!claim.follows.empty()) follow(t, draft, truths, claim, duration, step);
+      require_samples(t, claim, duration, step);
       check_tolerance(t, claim, draft.scene, duration, step);
     }
     result.claims.push_back(std::move(claim));

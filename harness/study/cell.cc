@@ -192,11 +192,15 @@ std::int64_t steps_until(const Claim& claim, const Scenario& scenario, double dt
   return static_cast<std::int64_t>(std::min(claim.until, scenario.duration) / dt * (1 + 1e-9));
 }
 
-// Whether no step of the run is looked at: it would pass with the start alone.
+// A mean square gives its last sample no weight.
+int steps_needed(const Claim& claim) { return claim.reduction == core::Reduction::mean_square ? 2 : 1; }
+
+// Whether no step of the run counts: it would pass with the start alone.
 bool sees_the_start_alone(const Claim& claim, const Scenario& scenario, double dt) {
   return claim.observable.quantity != core::Quantity::event &&
          !core::of_last_step(claim.observable.quantity) && !claim.at_least &&
-         (!claim.truth || claim.truth->times.empty()) && steps_until(claim, scenario, dt) == 0;
+         (!claim.truth || claim.truth->times.empty()) &&
+         steps_until(claim, scenario, dt) < steps_needed(claim);
 }
 
 }  // namespace
@@ -290,7 +294,10 @@ std::vector<Verdict> run(const Cell& cell, const process::Limits& limits,
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (sees_the_start_alone(scenario.claims[i], scenario, cell.dt)) {
       rows[i].status = results::Status::unsupported;
-      rows[i].detail = fmt::format("the claim ends at {} s, within the first step", scenario.claims[i].until);
+      const Claim& claim = scenario.claims[i];
+      rows[i].detail =
+          fmt::format("the claim ends at {} s, within the first {}", std::min(claim.until, scenario.duration),
+                      steps_needed(claim) == 1 ? "step" : "two steps, of which the last has no weight");
     }
   if (!bad) measure_spread(cell, plan, limits, recordings.front(), rows);
   return rows;

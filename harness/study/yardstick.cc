@@ -6,6 +6,8 @@
 #include "harness/core/scale.h"
 #include "harness/core/turns.h"
 #include "harness/core/worst.h"
+#include "harness/scenario/claim_observable.h"
+#include "harness/scenario/claim_tolerance.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -31,6 +33,13 @@ bool is_motion(Quantity q) {
   return is_place(q) || q == Quantity::velocity || q == Quantity::angular_velocity;
 }
 
+// What claims are measured by too (claims.md, scales); of angles a radian, and of counts one.
+double scale_of(const Claim& claim, const scenario::Scenario& scenario) {
+  const core::Observable& q = claim.observable;
+  const bool count = q.quantity == Quantity::event && core::of_all(q.event_quantity);
+  return count || scenario::is_angle(q.quantity) ? 1 : core::scale(claim, scenario.scene, scenario.duration);
+}
+
 core::Truth truth_of(const Reference& reference, double duration) {
   const double last = static_cast<double>(reference.states.size() - 1);
   core::Truth truth;
@@ -47,21 +56,41 @@ Yardstick::Yardstick(const scenario::Scenario& scenario, std::int64_t samples,
                      const std::optional<Reference>& reference)
     : scenario_(&scenario), samples_(samples) {
   scenario::require_prepared(scenario);
-  std::map<std::string, std::vector<core::State>> states;  // of a truth, at the samples; made once
-  std::set<Quantity> constant;
+  std::vector<Claim> claims = scenario.claims;
   std::set<std::string> truths;
-  for (const Claim& claim : scenario.claims) {
+  std::set<Quantity> constant;
+  for (const Claim& claim : claims) {
+    if (!core::measures_motion(claim)) continue;
+    if (claim.truth && claim.observable.quantity != Quantity::event) truths.insert(claim.follows);
+    if (!claim.truth) constant.insert(claim.observable.quantity);
+  }
+  truth_ = truths.empty() && reference ? reference->name : fmt::format("{}", fmt::join(truths, ", "));
+  if (reference && truths.empty())
+    for (const Quantity quantity : {Quantity::position, Quantity::orientation}) {
+      Claim& claim = claims.emplace_back();
+      claim.observable.quantity = quantity;
+      claim.follows = reference->name;
+      claim.truth = truth_of(*reference, scenario.duration);
+    }
+  for (const Quantity quantity : conserved(scenario.scene))
+    if (!constant.contains(quantity)) claims.emplace_back().observable.quantity = quantity;
+  scenario::bind_motion(claims, scenario.duration);
+
+  std::map<std::string, std::vector<core::State>> states;  // of a truth, at the samples; made once
+  for (const Claim& claim : claims) {
     if (!core::measures_motion(claim)) continue;
     if (claim.observable.quantity == Quantity::event) {
       ask_event(claim);
       continue;
     }
     if (!claim.truth) {
-      constant.insert(claim.observable.quantity);
       ask(claim, nullptr, 0);
       continue;
     }
-    truths.insert(claim.follows);
+    if (reference && claim.follows == reference->name) {
+      ask(claim, &reference->states, reference->resolution);
+      continue;
+    }
     std::vector<core::State>* known = nullptr;
     if (claim.truth->times.empty()) {
       known = &states[fmt::format("{} {}", claim.follows, claim.until)];
@@ -73,23 +102,6 @@ Yardstick::Yardstick(const scenario::Scenario& scenario, std::int64_t samples,
       }
     }
     ask(claim, known, claim.truth_error);
-  }
-  truth_ = fmt::format("{}", fmt::join(truths, ", "));
-  if (reference && truths.empty()) {
-    truth_ = reference->name;
-    for (const Quantity quantity : {Quantity::position, Quantity::orientation}) {
-      Claim claim;
-      claim.observable.quantity = quantity;
-      claim.follows = reference->name;
-      claim.truth = truth_of(*reference, scenario.duration);
-      ask(claim, &reference->states, reference->resolution);
-    }
-  }
-  for (const Quantity quantity : conserved(scenario.scene)) {
-    if (constant.contains(quantity)) continue;
-    Claim claim;
-    claim.observable.quantity = quantity;
-    ask(claim, nullptr, 0);
   }
   choose_trajectory();
 }
@@ -106,9 +118,7 @@ void Yardstick::ask(Claim claim, const std::vector<core::State>* states, double 
   const core::Scene& scene = scenario_->scene;
   if (core::undefined_in(claim.observable, scene)) return;
   Question q;
-  const double size = core::largest_value(claim, scene, scenario_->duration);
-  // A joint's gap at the start is rounding and no size: in m.
-  q.scale = size > 0 && claim.observable.quantity != Quantity::joint_gap ? size : 1;
+  q.scale = scale_of(claim, *scenario_);
   const bool follows = claim.truth.has_value();
   q.in_trajectory = follows && is_motion(claim.observable.quantity);
 
@@ -152,9 +162,7 @@ void Yardstick::ask(Claim claim, const std::vector<core::State>* states, double 
 
 void Yardstick::ask_event(const Claim& claim) {
   Question q;
-  const bool of_all = core::of_all(claim.observable.event_quantity);
-  const double size = of_all ? 0 : core::largest_value(claim, scenario_->scene, scenario_->duration);
-  q.scale = size > 0 ? size : 1;
+  q.scale = scale_of(claim, *scenario_);
   q.measure = measure_named("events", "", claim.follows);
   results::TradeMeasure& measure = measures_[q.measure];
   measure.resolution = std::max(measure.resolution, claim.truth_error / q.scale);

@@ -7,6 +7,7 @@
 #include "harness/core/unit.h"
 #include "harness/scenario/claim_tolerance.h"
 #include "harness/study/restate.h"
+#include "harness/study/yardstick.h"
 #include "tests/mutants/matrix/shipped.h"
 
 #include <gtest/gtest.h>
@@ -205,6 +206,29 @@ TEST_P(Descriptions, LeaveEveryVerdict) {
   const auto right = run_shipped(scenario, correct_subjects().front());
   for (const Description& d : descriptions(scenario))
     if (right) expect_same_verdicts(scenario, *right, d);
+}
+
+// A motion far from the origin was offered a coarser step: its errors were relative to the distance from there.
+TEST_P(Descriptions, LeaveTheErrorsThatTradeAndAdviseCompare) {
+  const Scenario scenario = scenario::load(GetParam());
+  for (const Subject& subject : decorated_mutants()) {
+    if (subject.name != "one step late") continue;
+    const auto run = run_shipped(scenario, subject);
+    if (!run) continue;
+    const study::Yardstick plain(scenario, 1);
+    const std::vector<double> errors = plain.errors(run->recording);
+    for (const Description& d : descriptions(scenario)) {
+      if (!d.boost.isZero()) continue;  // a late motion is another one there
+      const Scenario other = restated(scenario, d);
+      const study::Yardstick yardstick(other, 1);
+      const std::vector<double> restated_errors = yardstick.errors(
+          restated(run->recording, d, core::event_up(scenario.scene, scenario.scene.bodies.front())));
+      ASSERT_EQ(errors.size(), restated_errors.size()) << d.name;
+      for (std::size_t i = 0; i < errors.size(); ++i)
+        EXPECT_NEAR(restated_errors[i], errors[i], 1e-6 * (1 + errors[i]))
+            << d.name << ", " << plain.measures()[i].name;
+    }
+  }
 }
 
 std::string name_of(const testing::TestParamInfo<std::filesystem::path>& info) {

@@ -109,10 +109,8 @@ Command add_advise(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   app.add_option("file", options->file, "A scenario file, or the name of a shipped scenario")
       ->type_name("FILE");
-  app.add_option(
-         "--tolerance", options->how.tolerance,
-         "Largest acceptable error, relative to the largest value of what is measured: of a position to its "
-         "distance from the origin (angles: rad)")
+  app.add_option("--tolerance", options->how.tolerance,
+                 "Largest acceptable error, relative to the range of the motion (angles: rad)")
       ->type_name("X")
       ->capture_default_str()
       ->check(positive(1));

@@ -153,6 +153,22 @@ TEST(Claims, OneSidedMeasuresAreOfNumbers) {
         << wrong;
 }
 
+// The last sample of a mean square has no weight, and at the start nothing deviates: any motion passed.
+TEST(Claims, MeanSquareOfTheStartAloneIsRefused) {
+  const auto claim = [](std::string_view measure, std::string_view when) {
+    return fmt::format(
+        "{}[[claim]]\nfollows = \"projectile\"\nobservable = \"velocity\"\nmeasure = \"{}\"\n{}\n"
+        "tolerance = {{ absolute = 1, reason = \"r\" }}\n",
+        head, measure, when);
+  };
+  for (const char* wrong :
+       {"sample = 0.8", "until = 0.4\nsample = 0.4", "until = 0.4\nsample = 0.25", "until = 0.025"})
+    EXPECT_THROW(parse(claim("mean_square", wrong), "wrong.toml"), core::InputError) << wrong;
+  for (const char* right : {"", "sample = 0.4", "sample = 0.5", "until = 0.4\nsample = 0.2", "until = 0.05"})
+    EXPECT_NO_THROW(parse(claim("mean_square", right), "right.toml")) << right;
+  EXPECT_NO_THROW(parse(claim("rate", "sample = 0.8"), "right.toml"));
+}
+
 TEST(Claims, ExpectationsHaveALevel) {
   std::string gas =
       "duration = 1\nstep = 0.01\n[[cloud]]\nname = \"ball\"\nmass = 1\ncount = 20\nlow = [-0.9, -0.9, "
