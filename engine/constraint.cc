@@ -16,6 +16,23 @@ constexpr Real dependent = 4096 * epsilon;
 // (single precision: 1e-3), which the next round closes.
 constexpr Real far_from_closed = epsilon < Real(1e-10) ? Real(1e9) : Real(1e4);
 
+// Reduced coordinates keep what such a row asks for, and leave it a diagonal that is rounding:  that of I^-1, a few ulps of
+// |s|^2 max(1/I), and that of a lever s, the difference of longer ones, squared.
+bool is_kept_already(const Row& row, const std::vector<Body>& bodies) {
+  constexpr Real ulps = 64 * epsilon;
+  Real rounded = 0;
+  const auto add = [&](int body, const Vector3& lever) {
+    if (body == fixed_world || bodies[index(body)].locked) return true;
+    const Body& b = bodies[index(body)];
+    const Real lengths = 64 * row.rounding;
+    rounded += ulps * ulps * row.direction.squaredNorm() / b.mass +
+               (ulps * lever.squaredNorm() + lengths * lengths) * b.inverse_moments.maxCoeff();
+    return b.inverse_mass == 0;
+  };
+  return add(row.body, row.lever) && add(row.to, row.to_lever) &&
+         coupling(row, row, bodies) + yield(row) <= rounded;
+}
+
 void push(const Row& row, int body, Real sign, const Vector3& lever, const std::vector<Body>& bodies,
           Motion* motion) {
   const Body& b = bodies[index(body)];
@@ -44,6 +61,15 @@ Real coupling(const Row& i, const Row& j, const std::vector<Body>& bodies) {
   return sum;
 }
 
+Real mobility(const Row& row, const std::vector<Body>& bodies) {
+  const auto of = [&](int body, const Vector3& lever) -> Real {
+    if (body == fixed_world || bodies[index(body)].locked) return 0;
+    const Body& b = bodies[index(body)];
+    return row.direction.squaredNorm() / b.mass + b.inverse_moments.maxCoeff() * lever.squaredNorm();
+  };
+  return of(row.body, row.lever) + of(row.to, row.to_lever) + yield(row);
+}
+
 // Fills the spins and factors A = J M^-1 J^T.
 void Rows::measure(const std::vector<Body>& bodies, const Motion* motion, bool closed) {
   // The rows of a joint follow one another, so that the rotation of the row before mostly serves the next too.
@@ -66,9 +92,12 @@ void Rows::measure(const std::vector<Body>& bodies, const Motion* motion, bool c
   };
   ends_.clear();
   for (const Row& row : rows) ends_.push_back({end(row.body), end(row.to)});
+  kept_.clear();
+  for (const Row& row : rows) kept_.push_back(is_kept_already(row, bodies));
   factor_.set_pattern(ends_);
   factor_.factor(
       [&](std::size_t i, std::size_t j) {
+        if (kept_[i] || kept_[j]) return Real(0);
         return coupling(rows[i], rows[j], bodies) + (i == j ? yield(rows[i]) : Real(0));
       },
       dependent, closed);

@@ -13,7 +13,7 @@
 
 namespace cylon::cli {
 
-/// The exit codes; where several apply, the first of 2, 130, 5, 1, 6, 3, 4.
+/// The exit codes; where several apply, the first of 2, 130, 141, 5, 1, 6, 3, 4.
 enum Exit {
   ok = 0,
   differs = 1,
@@ -22,7 +22,8 @@ enum Exit {
   nothing_selected = 4,
   harness_failure = 5,
   incomplete = 6,
-  interrupted = 130
+  interrupted = 130,
+  no_reader = 141
 };
 
 class Farm;

@@ -182,27 +182,78 @@ std::vector<Event> find_on_arcs(const EventRow& row, const Pair& pair, const Ser
 
 // ---- Truths --------------------------------------------------------------------------------------
 
+// What a truth shows at even times, for each pair; its states are asked for once for all.
+struct Sampled {
+  double dt = 0;
+  std::vector<Series> series;  // by pair
+};
+
+Sampled sample(const std::vector<EventSignal>& signals, const Truth& truth, double horizon,
+               std::size_t count) {
+  Sampled result{horizon / static_cast<double>(count), std::vector<Series>(signals.size())};
+  std::vector<double> start(signals.size());
+  for (std::size_t n = 0; n <= count; ++n) {
+    const double t = n == count ? horizon : static_cast<double>(n) * result.dt;
+    const State state = truth.state(t);
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+      const Reading reading = signals[i](state, t);
+      if (n == 0) start[i] = reading.azimuth;
+      append(result.series[i], start[i], reading);
+    }
+  }
+  return result;
+}
+
+// Signals below what the truth's own error makes of them have no sign.
+double noise_of(const EventSignal& signal, const Truth& truth) {
+  return 10 * signal.error(truth.state(0), truth.error).x;
+}
+
+// Whether both have the same events, but for one at the end.
+bool same_events(const EventRow& row, const std::vector<EventSignal>& signals, const Truth& truth,
+                 const Sampled& a, const Sampled& b) {
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    const double noise = noise_of(signals[i], truth);
+    const std::vector<std::size_t> in_a = brackets(row.search, a.series[i], noise),
+                                   in_b = brackets(row.search, b.series[i], noise);
+    const std::size_t common = std::min(in_a.size(), in_b.size());
+    if (std::max(in_a.size(), in_b.size()) > common + 1) return false;
+    for (std::size_t k = 0; k < common; ++k)
+      if (std::abs(static_cast<double>(in_a[k]) * a.dt - static_cast<double>(in_b[k]) * b.dt) > a.dt + b.dt)
+        return false;
+  }
+  return true;
+}
+
+// At so many times that events do not hide between them: others, the golden ratio more, show the same.
+Sampled sample_enough(const EventRow& row, const std::vector<EventSignal>& signals, const Truth& truth,
+                      double horizon, double step) {
+  constexpr double most = 0x1p20, golden = 1.6180339887498949;
+  double count = std::clamp(std::ceil(horizon / step), 64.0, 2048.0);
+  while (count <= most) {
+    Sampled few = sample(signals, truth, horizon, static_cast<std::size_t>(count));
+    count = std::round(golden * count);
+    if (same_events(row, signals, truth, few,
+                    sample(signals, truth, horizon, static_cast<std::size_t>(count))))
+      return few;
+    count *= 4;
+  }
+  throw OutOfDomain("its events follow each other too fast to be told apart; end the claim sooner");
+}
+
 struct Located {
   std::vector<Event> events;
   double error = 0;  ///< Of their times [s].
 };
 
-Located locate(const Observable& q, const Scene& scene, const Truth& truth, const Pair& pair, double horizon,
-               double step) {
-  const EventRow& row = event_row(q.event);
-  const EventSignal signal(q, scene, pair);
+Located locate(const EventRow& row, const EventSignal& signal, const Truth& truth, const Pair& pair,
+               double horizon, const Series& series, double dt) {
   const auto read = [&](double t) { return signal(truth.state(t), t); };
-  const auto count = static_cast<std::size_t>(std::clamp(std::ceil(horizon / step), 64.0, 2048.0));
-  const double dt = horizon / static_cast<double>(count);
   const double start = read(0).azimuth;
-  Series series;
-  for (std::size_t n = 0; n <= count; ++n)
-    append(series, start, read(n == count ? horizon : static_cast<double>(n) * dt));
 
   Located located;
   const double still = 1e-9 * largest(series);
-  const double noise = 10 * signal.error(truth.state(0), truth.error).x;
-  for (const std::size_t before : brackets(row.search, series, noise)) {
+  for (const std::size_t before : brackets(row.search, series, noise_of(signal, truth))) {
     const double a = static_cast<double>(before) * dt, b = std::min(a + dt, horizon);
     const bool turns = row.search == EventSearch::whole_turn;
     const double goal = turns ? whole_turns_at(series, before, located.events.size() + 1) : 0;
@@ -274,8 +325,13 @@ Truth with_events(const Observable& q, const Scene& scene, const Truth& truth, d
     return result;
   }
   result.events.clear();
-  for (const Pair& pair : event_subjects(q, scene)) {
-    const Located located = locate(q, scene, truth, pair, horizon, step);
+  const std::vector<Pair> pairs = event_subjects(q, scene);
+  std::vector<EventSignal> signals;
+  for (const Pair& pair : pairs) signals.emplace_back(q, scene, pair);
+  const EventRow& row = event_row(q.event);
+  const Sampled sampled = sample_enough(row, signals, truth, horizon, step);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const Located located = locate(row, signals[i], truth, pairs[i], horizon, sampled.series[i], sampled.dt);
     result.events.insert(result.events.end(), located.events.begin(), located.events.end());
     result.error.time = worst(located.error, result.error.time);
   }

@@ -26,10 +26,11 @@ bool watched(EventKind);
 std::vector<Event> find_events(const Observable&, const Scene&, const Recording&);
 
 /// The truth with its events of the observable's kind: those that it states, or else found in its states up
-/// to `horizon`, by scanning at most 2048 times and at least 64, `step` apart where that suffices, and
-/// bisection to the last digit (watched kinds: EventWatch over states `step` apart, and half as far).  Adds
+/// to `horizon`, by scanning at least 64 times, at most 2048 of them `step` apart and more only where others, closer by
+/// the golden ratio, show other events, and bisection to the last digit (watched kinds: EventWatch over states `step` apart, and half as far).  Adds
 /// the bound on their times to error.time: error of the signal / its slope; watched kinds: what half the step
-/// changes. A truth that is known at some times only is given back as it is.
+/// changes. A truth that is known at some times only is given back as it is.  Throws OutOfDomain where events follow
+/// each other too fast for 2^20 times.
 Truth with_events(const Observable&, const Scene&, const Truth&, double horizon, double step);
 
 }  // namespace cylon::core

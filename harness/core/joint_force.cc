@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <vector>
 
@@ -272,12 +273,20 @@ RequiredForces required_joint_forces(const Observable& q, const Scene& scene, co
   return required(q, all_held(q, scene, truth.error), Step(truth, std::max(0.0, end - h), h));
 }
 
+// A force that turns within a part has no mean there, so that short ones are looked at too, at times that no period
+// divides.
 double largest_joint_force(const Observable& q, const Scene& scene, const Truth& truth, double until) {
   constexpr int parts = 256;
+  const double golden = (std::sqrt(5.0) - 1) / 2, instant = until / 65536;
   const std::vector<Held> all = all_held(q, scene, truth.error);
   double most = 0;
-  for (int i = 0; i < parts; ++i)
-    most = worst(magnitude(q, required(q, all, Step(truth, until * i / parts, until / parts)).values), most);
+  const auto look = [&](double from, double span) {
+    most = worst(magnitude(q, required(q, all, Step(truth, from, span)).values), most);
+  };
+  for (int i = 0; i < parts; ++i) {
+    look(until * i / parts, until / parts);
+    look((until - instant) * (i * golden - std::floor(i * golden)), instant);
+  }
   return most;
 }
 

@@ -21,9 +21,13 @@ void solve(core::Claim& claim, const Table& t, const Scenario& scenario, Certifi
   const double horizon = std::min(claim.until, scenario.duration);
   const certified::Solution& solution = truths.at(t, scene, horizon);
   if (!while_predictable) require_whole(t, solution, horizon);
-  claim.truth = claim.observable.quantity == core::Quantity::event
-                    ? core::with_events(claim.observable, scene, solution.truth, horizon, scenario.step)
-                    : solution.truth;
+  try {
+    claim.truth = claim.observable.quantity == core::Quantity::event
+                      ? core::with_events(claim.observable, scene, solution.truth, horizon, scenario.step)
+                      : solution.truth;
+  } catch (const core::OutOfDomain& error) {
+    t.fail("follows", fmt::format("follows = '{}': {}", claim.follows, error.what()));
+  }
   if (while_predictable) {
     claim.until = predictable(t, claim, scene, solution, scenario.duration);
     claim.label = label_of(t, claim);

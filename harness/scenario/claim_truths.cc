@@ -42,9 +42,13 @@ core::Truth ExactTruths::with_events(const Table& t, const Observable& q, const 
                          t.text("follows")));
     return truth.state(time);
   };
-  core::Truth located = core::with_events(q, scene_, counted, horizon, step_);
-  located.state = truth.state;
-  return located;
+  try {
+    core::Truth located = core::with_events(q, scene_, counted, horizon, step_);
+    located.state = truth.state;
+    return located;
+  } catch (const core::OutOfDomain& error) {
+    t.fail("follows", fmt::format("follows = '{}': {}", t.text("follows"), error.what()));
+  }
 }
 
 core::Truth ExactTruths::make(const Table& t, const std::string& name, double horizon) const {

@@ -35,7 +35,10 @@ double least_of(const std::vector<double>& values) {
 }
 
 Scale scale_of(const Series& series) {
-  if (series.metric.kind == Kind::time) return series.metric.unit == "ratio" ? Scale::ratio : Scale::absolute;
+  // The six columns that an imported CSV needs leave the unit out.
+  if (series.metric.kind == Kind::time)
+    return series.metric.unit == "ratio" || series.metric.name.starts_with("cpu_ratio:") ? Scale::ratio
+                                                                                         : Scale::absolute;
   const auto is_text = [](const Point& p) { return !p.text.empty(); };
   return std::any_of(series.points.begin(), series.points.end(), is_text) ? Scale::text : Scale::value;
 }

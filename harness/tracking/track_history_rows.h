@@ -57,7 +57,7 @@ struct HistoryRow {
 
 /// The rows that are wanted, by cell name; of a cell ratios first, then times, errors, and the rest by name.
 ///
-/// A time is a ratio where the metric's unit is "ratio": a value per pair of processes, of which the run's is
+/// A time is a ratio where the metric's unit is "ratio" or its name begins with "cpu_ratio:": a value per pair of processes, of which the run's is
 /// the Hodges-Lehmann estimate; of absolute times it is the least.  Change points are sought in ratios and in
 /// sizes (statistics/change_points.h); errors are held against the level before by the rule of their kind,
 /// down to the truth's own error; counts and hashes are equal or not.

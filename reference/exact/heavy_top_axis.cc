@@ -29,15 +29,22 @@ HeavyTopAxis::HeavyTopAxis(const AxisStart& s) : a_(s.a) {
   // With e = d - up or d + up, whichever is short: u0' = up.d' and up.(d x d') without the digits that
   // cancel.
   const Wide side = s.up.dot(s.direction) > 0 ? -1 : 1;
-  const WideVector e = side * s.direction + s.up;
-  find_turning_points(s, e.dot(s.rate), e.dot(s.direction.cross(s.rate)));
+  WideVector e = side * s.direction + s.up;
+  // 1 -+ u0, from halves of squares.  Next to a pole e is as short as what both vectors lack of length one, which would
+  // belong to no motion: there it is what is across the axis,  1 - |cos| = |e|^2/(1 + |cos|).
+  Wide near = e.squaredNorm() / 2, far = (s.up - side * s.direction).squaredNorm() / 2;
+  if (near < Wide(0.01)) {
+    e -= e.dot(s.direction) * s.direction;
+    near = e.squaredNorm() / (1 + std::sqrt(1 - e.squaredNorm()));
+    far = 2 - near;
+  }
+  find_turning_points(s, e.dot(s.rate), e.dot(s.direction.cross(s.rate)), side < 0 ? near : far,
+                      side < 0 ? far : near);
 }
 
-// tilt = u0', turn = sin^2(theta0) phi0' = b - a u0.
-void HeavyTopAxis::find_turning_points(const AxisStart& s, Wide tilt, Wide turn) {
+// tilt = u0', turn = sin^2(theta0) phi0' = b - a u0,  w0 and y0 = 1 -+ u0.
+void HeavyTopAxis::find_turning_points(const AxisStart& s, Wide tilt, Wide turn, Wide w0, Wide y0) {
   const Wide u0 = s.up.dot(s.direction), v0 = s.rate.squaredNorm(), beta = s.beta;
-  const Wide w0 = (s.direction - s.up).squaredNorm() / 2,
-             y0 = (s.direction + s.up).squaredNorm() / 2;  // 1 -+ u0
   // Through a pole, or past it by an angle c/sqrt(V) below 1e-16, V and c at the pole.  (With b = a and V(1) < 0 it is
   // u3 that is 1.)
   const Wide v_above = v0 - beta * w0, v_below = v0 + beta * y0;

@@ -44,7 +44,7 @@ class HeavyTopAxis {
     Wide at_first = 0, at_second = 0, sum = 0;
   };
 
-  void find_turning_points(const AxisStart&, Wide tilt_product, Wide turn_product);
+  void find_turning_points(const AxisStart&, Wide tilt_product, Wide turn_product, Wide w0, Wide y0);
   Wide integral(const Pole&, const Amplitude& am) const;
 
   bool at_rest_ = false;  // vertical, and stays so

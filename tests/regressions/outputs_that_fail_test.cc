@@ -22,6 +22,13 @@ TEST_F(OutputsThatFail, AFullDiskIsAnError) {
   }
 }
 
+// `cylon engines | head` ended with an error of the harness.
+TEST_F(OutputsThatFail, AReaderThatLeavesIsNoError) {
+  const Ran ran = shell("bash -c 'exec > >(exit 0); wait $!; exec cylon list --names'");
+  EXPECT_EQ(ran.code, 141);
+  EXPECT_EQ(ran.err, "");
+}
+
 // Names that cannot be looked up were internal errors.
 TEST_F(OutputsThatFail, ANameThatIsNoneIsRefused) {
   shell("ln -s loop loop");

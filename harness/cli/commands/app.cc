@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -119,10 +120,18 @@ std::string indented(std::string text) {
   return text;
 }
 
-// A full disk or a closed pipe shows in the stream alone, and what was cut must not look whole.
+// Whether nobody reads what is written to stdout any more: `cylon engines | head`.
+bool reader_left() {
+  pollfd out{STDOUT_FILENO, 0, 0};
+  return ::poll(&out, 1, 0) > 0 && (out.revents & POLLERR) != 0;
+}
+
+// A full disk shows in the stream alone, and what was cut must not look whole.  A reader that left wants no more, and
+// the exit code is that of a program which the closed pipe ends.
 int with_whole_output(int code) {
   std::cout.flush();
   if (std::fflush(stdout) == 0 && std::cout) return code;
+  if (reader_left()) return code == bad_input || code == interrupted ? code : no_reader;
   std::cerr << "error: stdout cannot be written: what it has got is not whole\n";
   return code == bad_input || code == interrupted ? code : harness_failure;
 }
@@ -193,7 +202,7 @@ int run_command_line(int argc, char** argv) {
       "Exit codes: 0 all as expected, 1 a verdict differs or a regression is confirmed, 2 bad input, 3 "
       "undecided (with --strict) or a bound not reached (truth), 4 nothing selected or compared, 5 internal "
       "failure, 6 cells are missing (merge), 130 "
-      "interrupted.");
+      "interrupted, 141 nobody read the output to its end.");
   Context context = make_context();
   imports::serve_scenarios(
       context.workers, [](const std::string& text) { std::cerr << plain_line("left out: " + text) << '\n'; });

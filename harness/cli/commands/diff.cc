@@ -204,10 +204,20 @@ std::string table(const Context& context, const scenario::Scenario& scenario, co
   return text;
 }
 
+// The recordings that end before the scene does, or "": what is missing agrees with nothing.
+std::string ends_early(const scenario::Scenario& scenario, const Side& a, const Side& b) {
+  std::string text;
+  for (const Side* side : {&a, &b})
+    if (side->dt == 0 && side->times.back() < scenario.duration * (1 - same_time))
+      text += fmt::format("{} ends at {:.9g} s, the scene at {:.9g} s\n", side->name, side->times.back(),
+                          scenario.duration);
+  return text;
+}
+
 std::string heading(const scenario::Scenario& scenario, const Side& a, const Side& b, const Found& found) {
   const Curve* first = study::first_to_part(found.curves);
   if (!first)
-    return fmt::format("{}: {} and {} agree at all {} times", scenario.name, a.name, b.name,
+    return fmt::format("{}: {} and {} agree at all {} common times", scenario.name, a.name, b.name,
                        found.times.size());
   const double t = found.times[*first->first], d = first->distance[*first->first];
   const int body = first->body[*first->first];
@@ -284,7 +294,9 @@ int diff(const Context& context, const Options& options) try {
           "difference in between is not found.\n",
           found.every);
   }
-  return study::first_to_part(found.curves) ? differs : ok;
+  const std::string early = ends_early(scenario, a, b);
+  if (!early.empty()) std::cerr << early;
+  return study::first_to_part(found.curves) || !early.empty() ? differs : ok;
 } catch (const Failed& failed) {
   return failed.code;
 }
@@ -295,7 +307,7 @@ Command add_diff(App& app, const Context& context) {
   const auto options = std::make_shared<Options>();
   app.footer(
       "Runs with different steps are compared at their common times.  Exit codes: 0 the runs agree, 1 they "
-      "differ.\n"
+      "differ, or a file ends before the scene does.\n"
       "  cylon diff dzhanibekov bullet bullet/gyro=none\n"
       "  cylon diff heavy_top ode@1/60 ode@1/240\n"
       "  cylon diff gas in-house other_machine.csv --tolerance 0     the first bit that differs");

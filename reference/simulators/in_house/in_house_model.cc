@@ -48,7 +48,8 @@ std::optional<std::string> lost_turn(const Scene& scene, const Model& model) {
     const core::Vector3& w = body.initial.angular_velocity;
     if (body.locked || w.isZero(0)) continue;
     const core::Vector3 kept = engine::angular_velocity(model.bodies[i], model.motions[i]).cast<double>();
-    if ((w - kept).norm() > 1e-6 * w.norm())
+    constexpr double rounding = std::max(1e-6, 256. * engine::epsilon);  // of w, L and w again
+    if ((w - kept).norm() > rounding * w.norm())
       return fmt::format(
           "body '{}' turns at {:.3g} rad/s about an axis about which its moment of inertia is none or "
           "rounding "

@@ -57,7 +57,12 @@ TEST_F(CommandLine, DiffReadsWhatSimulateWrote) {
   ASSERT_EQ(cylon("simulate heavy_top --engine in-house --integrator rk4 --every 0.1 --out a.csv").code, 0);
   const Ran same = cylon("diff heavy_top in-house/integrator=rk4 a.csv --tolerance 0");
   EXPECT_EQ(same.code, 0) << same.out << same.err;
-  EXPECT_NE(same.out.find("agree at all 101 times"), std::string::npos) << same.out;
+  EXPECT_NE(same.out.find("agree at all 101 common times"), std::string::npos) << same.out;
+  const std::string whole = read("a.csv");
+  write("cut.csv", whole.substr(0, whole.find("\n5,") + 1));  // a file that was cut agreed
+  const Ran cut = cylon("diff heavy_top in-house/integrator=rk4 cut.csv --tolerance 0");
+  EXPECT_EQ(cut.code, 1) << cut.out;
+  EXPECT_NE(cut.err.find("cut.csv ends at 4.9 s, the scene at 10 s"), std::string::npos) << cut.err;
   const Ran other = cylon("diff heavy_top a.csv in-house/integrator=yoshida4 --tolerance 0 --csv -");
   EXPECT_EQ(other.code, 1) << other.err;
   EXPECT_EQ(other.out.substr(0, other.out.find('\n')),

@@ -108,4 +108,20 @@ TEST(TruthEventsFound, AreComplete) {
   }
 }
 
+// Events closer than 2048 a run were counted by what they look like at 2048 times.
+TEST(TruthEvents, AreFoundHoweverFastTheyFollow) {
+  const scenario::Scenario scenario = scenario::parse(
+      "duration = 20\nstep = \"1/4000\"\n[[body]]\nname = \"b\"\nmass = 1\nposition = [0.4, 0, 0]\n"
+      "velocity = [0, 150, 0]\n[[spring]]\nbody = \"b\"\npin = [0, 0, 0]\nstiffness = 1e6\nrest_length = 0\n"
+      "[[claim]]\nfollows = \"spring_zero_length\"\nobservable = \"event\"\nevent = \"turn\"\nquantity = "
+      "\"count\"\n"
+      "tolerance = { absolute = 0, reason = \"none too many\" }\n",
+      "fast.toml");
+  // An ellipse about the pin, once around in 2 pi/sqrt(k/m), with two turns.
+  const auto& events = scenario.claims[0].truth->events;
+  EXPECT_EQ(static_cast<double>(events.size()), std::floor(20 * 1000 / std::numbers::pi));
+  for (std::size_t i = 1; i < events.size(); ++i)
+    ASSERT_NEAR(events[i].time - events[i - 1].time, std::numbers::pi / 1000, 1e-12) << i;
+}
+
 }  // namespace

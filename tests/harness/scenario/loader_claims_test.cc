@@ -169,6 +169,21 @@ TEST(Claims, MeanSquareOfTheStartAloneIsRefused) {
   EXPECT_NO_THROW(parse(claim("rate", "sample = 0.8"), "right.toml"));
 }
 
+// A force that turns once in each of the parts that means are taken over was none, and the tolerance 1e-5 of itself.
+TEST(Claims, ScaleOfAForceThatTurnsFastIsItsSize) {
+  const double w = 2 * 3.14159265358979323846 * 25.6;
+  const auto s = parse(
+      fmt::format(
+          "duration = 10\nstep = \"1/4096\"\n[[body]]\nname = \"b\"\nmass = 1\ninertia = [0.01, 0.01, 0.01]\n"
+          "position = [0.1, 0, 0]\nvelocity = [0, {}, 0]\nangular_velocity = [0, 0, {}]\n"
+          "[[joint]]\nname = \"h\"\ntype = \"hinge\"\nbody = \"b\"\npoint = [0, 0, 0]\naxis = [0, 0, 1]\n"
+          "[[claim]]\nfollows = \"physical_pendulum\"\nobservable = \"joint_force\"\njoint = \"h\"\n"
+          "tolerance = {{ relative = 1e-2, reason = \"r\" }}\n",
+          0.1 * w, w),
+      "rotor.toml");
+  EXPECT_NEAR(core::scale(s.claims[0], s.scene, s.duration), 0.1 * w * w, 1e-3 * w * w);
+}
+
 TEST(Claims, ExpectationsHaveALevel) {
   std::string gas =
       "duration = 1\nstep = 0.01\n[[cloud]]\nname = \"ball\"\nmass = 1\ncount = 20\nlow = [-0.9, -0.9, "

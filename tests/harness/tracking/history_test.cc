@@ -5,6 +5,7 @@
 #include "tests/harness/cli/fixture.h"
 #include "tests/harness/tracking/history_fixture.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -72,6 +73,20 @@ INSTANTIATE_TEST_SUITE_P(Injected, HistorySteps,
                                          Injected{{{41, 1.10}}, 3}, Injected{{{12, 1 / 1.05}}, 4},
                                          Injected{{{15, 1.03}, {30, 1.05}, {45, 1.10}}, 5},
                                          Injected{{{20, 1.10}, {40, 1 / 1.10}}, 6}));
+
+// The six columns that a CSV needs leave the unit out, and such ratios were not looked at.
+TEST_F(History, RatiosOfACsvWithoutUnitsAreRatios) {
+  std::string csv = "revision,scenario,engine,metric,kind,repetition,value\n";
+  for (int r = 0; r < 20; ++r)
+    for (int k = 0; k < 8; ++k)
+      csv += fmt::format("r{:02},drop,e,cpu_ratio:v1,time,{},{}\n", r, k,
+                         (r < 10 ? 1.2 : 1.32) + 1e-3 * ((7 * r + 3 * k) % 5));
+  write("h.csv", csv);
+  ASSERT_EQ(cylon("track import h.csv --store history.db").code, 0);
+  const HistoryRow found = row("e", "cpu_ratio:*");
+  EXPECT_EQ(found.scale, Scale::ratio);
+  EXPECT_EQ(changed_at(found), std::vector<std::string>{"r10"});
+}
 
 TEST_F(History, FlatHistoriesHaveNoChange) {
   for (std::uint64_t seed = 11; seed < 15; ++seed) {

@@ -85,6 +85,21 @@ TEST(NextToSeparatrix, SphericalPendulumKeepsItsSmallDigits) {
     }
 }
 
+// Kicked where it hangs: what misses the pole is rounding, and was taken for a motion of its own, 1e-6 m off.  The place at
+// 16 s by the swing in a plane and by `cylon truth`.
+TEST(NextToSeparatrix, SphericalPendulumIsKickedWhereItHangs) {
+  core::Scene scene = rod(0, 0, 0);
+  core::Body& bob = scene.bodies[0];
+  bob.initial.position = {0.10494791236929024, -1.1368381798893987, 1.573328288673004};
+  bob.initial.velocity = {1.5128119517068241, 1.423856964861811, -0.6042424013945789};
+  scene.joints[0].point = {-0.38685759698299926, -0.9506859619272494, 0.7806743483204115};
+  scene.joints[0].length = (bob.initial.position - scene.joints[0].point).norm();
+  scene.forces = {core::UniformGravity{{5.217778483455735, -1.9749698184749356, 8.409610295429907}}};
+  const core::Truth truth = spherical_pendulum(scene, 16);
+  const core::Vector3 end(0.1934629610767966, -1.047098351511359, 1.528175704483618);
+  EXPECT_LT((truth.state(16)[0].position - end).norm(), 1e-12);
+}
+
 // Orientations at 5 and 10 s by `cylon truth --radius 1e-14`.
 TEST(NextToSeparatrix, UnstableSleepingTopFalls) {
   struct Start {
