@@ -1,6 +1,7 @@
 #include "harness/scenario/certified_claims.h"
 
 #include "harness/core/event_find.h"
+#include "harness/scenario/bind_motion.h"
 #include "harness/scenario/certified_truth.h"
 #include "harness/scenario/claim_observable.h"
 #include "harness/scenario/claim_tolerance.h"

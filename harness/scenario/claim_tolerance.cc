@@ -1,4 +1,5 @@
 #include "harness/scenario/claim_tolerance.h"
+#include "harness/scenario/bind_motion.h"
 
 #include "harness/core/engine.h"
 #include "harness/core/equipartition.h"

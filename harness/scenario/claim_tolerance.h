@@ -4,8 +4,6 @@
 #include "harness/core/claim.h"
 #include "harness/scenario/reader.h"
 
-#include <vector>
-
 namespace cylon::scenario {
 
 /// Reads the table `tolerance` of a claim whose observable and reduction are known.
@@ -14,9 +12,5 @@ core::Tolerance read_tolerance(const Table& tolerance, const core::Claim&);
 /// Sets the truth's error in the observable's unit.  Fails where that is more than a tenth of the
 /// tolerance, in a run at `step`.  The table is the claim's.
 void check_tolerance(const Table& claim, core::Claim&, const core::Scene&, double duration, double step);
-
-/// Gives the claims without a truth the motion of the one that is known for longest: their scales are taken
-/// from it.  To be called again when truths change.
-void bind_motion(std::vector<core::Claim>&, double duration);
 
 }  // namespace cylon::scenario

@@ -2,6 +2,7 @@
 
 #include "harness/core/recording.h"
 #include "harness/core/uncertain.h"
+#include "harness/scenario/bind_motion.h"
 #include "harness/scenario/budget.h"
 #include "harness/scenario/certified_truth.h"
 #include "harness/scenario/claim_observable.h"

@@ -2,9 +2,9 @@
 
 #include "harness/core/event_find.h"
 #include "harness/core/fields.h"
+#include "harness/scenario/bind_motion.h"
 #include "harness/scenario/budget.h"
 #include "harness/scenario/certified_truth.h"
-#include "harness/scenario/claim_tolerance.h"
 #include "reference/certified/truth.h"
 #include "reference/exact/catalogue.h"
 

@@ -6,8 +6,7 @@
 #include "harness/core/scale.h"
 #include "harness/core/turns.h"
 #include "harness/core/worst.h"
-#include "harness/scenario/claim_observable.h"
-#include "harness/scenario/claim_tolerance.h"
+#include "harness/scenario/bind_motion.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -37,7 +36,7 @@ bool is_motion(Quantity q) {
 double scale_of(const Claim& claim, const scenario::Scenario& scenario) {
   const core::Observable& q = claim.observable;
   const bool count = q.quantity == Quantity::event && core::of_all(q.event_quantity);
-  return count || scenario::is_angle(q.quantity) ? 1 : core::scale(claim, scenario.scene, scenario.duration);
+  return count || core::unit(q) == "rad" ? 1 : core::scale(claim, scenario.scene, scenario.duration);
 }
 
 core::Truth truth_of(const Reference& reference, double duration) {

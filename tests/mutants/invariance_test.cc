@@ -5,7 +5,7 @@
 #include "harness/core/measure.h"
 #include "harness/core/scale.h"
 #include "harness/core/unit.h"
-#include "harness/scenario/claim_tolerance.h"
+#include "harness/scenario/bind_motion.h"
 #include "harness/study/restate.h"
 #include "harness/study/yardstick.h"
 #include "tests/mutants/matrix/shipped.h"
