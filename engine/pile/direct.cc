@@ -122,6 +122,74 @@ void Direct::set_up(std::vector<Block>& blocks, const std::vector<Body>& bodies,
   matrix_.resize(first);
 }
 
+// Whether bodies and the world hold each other in a loop: only there rows of joints may depend on each other.
+bool Direct::holds_in_loops() const {
+  std::vector<int> root(bodies_.size() + 1);  // the last is the world
+  for (std::size_t i = 0; i < root.size(); ++i) root[i] = static_cast<int>(i);
+  const auto find = [&](int i) {
+    while (root[index(i)] != i) i = root[index(i)] = root[index(root[index(i)])];
+    return i;
+  };
+  const int world = static_cast<int>(bodies_.size());
+  const Block* last = nullptr;
+  for (const Row& row : rows_) {
+    if (row.block->kind != Block::Kind::hold) continue;
+    const bool same_joint = last && last->a == row.block->a && last->b == row.block->b &&
+                            (row.block->angular || row.block->offset);
+    last = row.block;
+    if (same_joint) continue;
+    const int a = find(row.a < 0 ? world : row.a / 6), b = find(row.b < 0 ? world : row.b / 6);
+    if (a == b) return true;
+    root[index(a)] = b;
+  }
+  return false;
+}
+
+// x, one per row, becomes the nearest P J v of holds:  v minimises sum d (P J v - x)^2 by rounds of the augmented Lagrangian.
+// What rows would say against each other is left out, and so is what they would almost say, as where axes of a loop are
+// parallel but for the rounding of the joints: eight rounds do not come to that.
+void Direct::make_consistent(std::vector<V3>& x) {
+  constexpr int rounds = 8;
+  const auto holds = [&](std::size_t i) { return rows_[i].block->kind == Block::Kind::hold; };
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    rows_[i].slope = holds(i) ? M3(rows_[i].stiffness * rows_[i].space) : M3(M3::Zero());
+  factor();
+  std::vector<V3> lambda(rows_.size(), V3::Zero()), found(rows_.size(), V3::Zero());
+  for (int round = 0; round < rounds; ++round) {
+    way_.setZero();
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      if (holds(i)) add_impulse(rows_[i], rows_[i].space * (lambda[i] + rows_[i].stiffness * x[i]), way_);
+    matrix_.solve(way_);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (!holds(i)) continue;
+      found[i] = rows_[i].space * (velocity(rows_[i], way_) - rows_[i].bias);
+      lambda[i] -= rows_[i].stiffness * (found[i] - rows_[i].space * x[i]);
+    }
+  }
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    if (holds(i)) x[i] = found[i];
+}
+
+// Where rows depend on each other, J V = -b has a solution only if b depends in the same way, which what bends the path
+// does but for O(dt^2).
+void Direct::reconcile_biases() {
+  std::vector<V3> x;
+  for (const Row& row : rows_) x.emplace_back(-row.bias);
+  make_consistent(x);
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    if (rows_[i].block->kind == Block::Kind::hold) rows_[i].bias = -x[i];
+}
+
+// Impulses of rows that depend on each other may balance and grow from step to step, and as the arms turn they would do
+// work: they go on without what moves nothing.
+void Direct::leave_out_balanced() {
+  std::vector<V3> x;
+  for (const Row& row : rows_) x.emplace_back(row.lambda / row.stiffness);
+  make_consistent(x);
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    if (rows_[i].block->kind == Block::Kind::hold) rows_[i].lambda = rows_[i].stiffness * x[i];
+}
+
 Direct::V3 Direct::velocity(const Row& row, const Vector& v) const {
   V3 u = row.bias;
   const bool align = row.block->angular;
@@ -310,6 +378,8 @@ void Direct::take(bool extrapolated) {
 
 bool Direct::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, std::vector<Mover>& movers) {
   set_up(blocks, bodies, movers);
+  const bool loops = holds_in_loops();
+  if (loops) reconcile_biases();
   for (Row& row : rows_)
     row.limit = static_cast<double>(row.block->friction) * std::max(row.n.dot(row.lambda), 0.);
   double allowed = 0, best = std::numeric_limits<double>::infinity();
@@ -378,6 +448,7 @@ bool Direct::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, 
     velocities_of_impulses();
     residual_ = best;
   }
+  if (loops && std::isfinite(residual_)) leave_out_balanced();
   for (Row& row : rows_) row.block->impulse = row.lambda.cast<Real>();
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     Mover& m = movers[index(bodies_[k])];

@@ -49,6 +49,10 @@ class Direct {
 
   void set_up(std::vector<Block>&, const std::vector<Body>&, const std::vector<Mover>&);
   void order(const std::vector<Block>&, const std::vector<Mover>&);
+  bool holds_in_loops() const;
+  void make_consistent(std::vector<V3>& x);
+  void reconcile_biases();
+  void leave_out_balanced();
   V3 velocity(const Row&, const Vector&) const;
   void forces(const Vector& v, bool slopes, bool coupled = false);
   void fill_gradient();  // M (V - c) - J^T f
