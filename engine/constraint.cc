@@ -61,15 +61,6 @@ Real coupling(const Row& i, const Row& j, const std::vector<Body>& bodies) {
   return sum;
 }
 
-Real mobility(const Row& row, const std::vector<Body>& bodies) {
-  const auto of = [&](int body, const Vector3& lever) -> Real {
-    if (body == fixed_world || bodies[index(body)].locked) return 0;
-    const Body& b = bodies[index(body)];
-    return row.direction.squaredNorm() / b.mass + b.inverse_moments.maxCoeff() * lever.squaredNorm();
-  };
-  return of(row.body, row.lever) + of(row.to, row.to_lever) + yield(row);
-}
-
 // Fills the spins and factors A = J M^-1 J^T.
 void Rows::measure(const std::vector<Body>& bodies, const Motion* motion, bool closed) {
   // The rows of a joint follow one another, so that the rotation of the row before mostly serves the next too.

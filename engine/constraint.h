@@ -38,10 +38,6 @@ Real coupling(const Row&, const Row&, const std::vector<Body>&);
 /// What the rotor of a row yields to a unit multiplier, beside what the bodies do: 1/rotor; 0 for a condition.
 inline Real yield(const Row& row) { return row.rotor > 0 ? 1 / row.rotor : Real(0); }
 
-/// The most that a unit multiplier on a row could move it, whichever way its bodies went without the coordinates that they are
-/// reduced to: |n|^2/m + |s|^2 max(1/I) of both ends, and the yield.  What it does move may be rounding.
-Real mobility(const Row&, const std::vector<Body>&);
-
 /// Rows and the linear system (J M^-1 J^T + D) lambda = -residual that they share, D the yields of rotors; sparse: for
 /// chains and trees the work is linear in the number of rows.  Rows that follow from others (two ball joints on one axis)
 /// get lambda = 0.  Arrays of motion, kinematics and loads have one entry per body.

@@ -30,6 +30,17 @@ void fill_spins(Row& row, const End& body, const End& to) {
   row.to_spin = to.spin(row.to_lever);
 }
 
+// The most that a unit multiplier on a row could move it, whichever way its bodies went without the coordinates that they
+// are reduced to: |n|^2/m + |s|^2 max(1/I) of both.  What it does move may be rounding, of a row along which nothing can.
+Real mobility(const Row& row, const std::vector<Body>& bodies) {
+  const auto of = [&](int body, const Vector3& lever) -> Real {
+    if (body == fixed_world || bodies[index(body)].locked) return 0;
+    const Body& b = bodies[index(body)];
+    return row.direction.squaredNorm() / b.mass + b.inverse_moments.maxCoeff() * lever.squaredNorm();
+  };
+  return of(row.body, row.lever) + of(row.to, row.to_lever) + yield(row);
+}
+
 }  // namespace
 
 Matrix3 contact_frame(const Vector3& normal) {

@@ -1,5 +1,7 @@
 #include "engine/pile/direct.h"
 
+#include "engine/islands/unions.h"
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -124,13 +126,9 @@ void Direct::set_up(std::vector<Block>& blocks, const std::vector<Body>& bodies,
 
 // Whether bodies and the world hold each other in a loop: only there rows of joints may depend on each other.
 bool Direct::holds_in_loops() const {
-  std::vector<int> root(bodies_.size() + 1);  // the last is the world
-  for (std::size_t i = 0; i < root.size(); ++i) root[i] = static_cast<int>(i);
-  const auto find = [&](int i) {
-    while (root[index(i)] != i) i = root[index(i)] = root[index(root[index(i)])];
-    return i;
-  };
-  const int world = static_cast<int>(bodies_.size());
+  const std::size_t world = bodies_.size();
+  islands::Unions held(world + 1);
+  const auto member = [&](int place) { return place < 0 ? world : index(place / 6); };
   const Block* last = nullptr;
   for (const Row& row : rows_) {
     if (row.block->kind != Block::Kind::hold) continue;
@@ -138,9 +136,9 @@ bool Direct::holds_in_loops() const {
                             (row.block->angular || row.block->offset);
     last = row.block;
     if (same_joint) continue;
-    const int a = find(row.a < 0 ? world : row.a / 6), b = find(row.b < 0 ? world : row.b / 6);
-    if (a == b) return true;
-    root[index(a)] = b;
+    const std::size_t a = member(row.a), b = member(row.b);
+    if (held.find(a) == held.find(b)) return true;
+    held.join(a, b);
   }
   return false;
 }

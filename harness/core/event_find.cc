@@ -228,11 +228,11 @@ bool same_events(const EventRow& row, const std::vector<EventSignal>& signals, c
 // At so many times that events do not hide between them: others, the golden ratio more, show the same.
 Sampled sample_enough(const EventRow& row, const std::vector<EventSignal>& signals, const Truth& truth,
                       double horizon, double step) {
-  constexpr double most = 0x1p20, golden = 1.6180339887498949;
+  constexpr double most = 0x1p20;
   double count = std::clamp(std::ceil(horizon / step), 64.0, 2048.0);
   while (count <= most) {
     Sampled few = sample(signals, truth, horizon, static_cast<std::size_t>(count));
-    count = std::round(golden * count);
+    count = std::round(std::numbers::phi * count);
     if (same_events(row, signals, truth, few,
                     sample(signals, truth, horizon, static_cast<std::size_t>(count))))
       return few;

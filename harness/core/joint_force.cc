@@ -1,6 +1,7 @@
 #include "harness/core/joint_force.h"
 
 #include "harness/core/anchor.h"
+#include "harness/core/golden.h"
 #include "harness/core/held_joint.h"
 #include "harness/core/joint_coordinates.h"
 #include "harness/core/loads.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <stdexcept>
 #include <vector>
 
@@ -277,7 +277,7 @@ RequiredForces required_joint_forces(const Observable& q, const Scene& scene, co
 // divides.
 double largest_joint_force(const Observable& q, const Scene& scene, const Truth& truth, double until) {
   constexpr int parts = 256;
-  const double golden = (std::sqrt(5.0) - 1) / 2, instant = until / 65536;
+  const double instant = until / 65536;
   const std::vector<Held> all = all_held(q, scene, truth.error);
   double most = 0;
   const auto look = [&](double from, double span) {
@@ -285,7 +285,7 @@ double largest_joint_force(const Observable& q, const Scene& scene, const Truth&
   };
   for (int i = 0; i < parts; ++i) {
     look(until * i / parts, until / parts);
-    look((until - instant) * (i * golden - std::floor(i * golden)), instant);
+    look((until - instant) * golden_part(i), instant);
   }
   return most;
 }

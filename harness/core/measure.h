@@ -20,6 +20,10 @@ struct Series {
                                   ///< the rise or fall of a one-sided claim, in the observable's unit.
 };
 
+/// How many samples after the start a claim looks at, at least: of fewer the start alone would decide.  A mean square gives
+/// its last sample no weight.
+inline int samples_needed(const Claim& claim) { return claim.reduction == Reduction::mean_square ? 2 : 1; }
+
 /// The step by which a least change must show: the first that is not before the claim's `until`.
 std::int64_t last_step_of_change(const Claim&, double dt);
 

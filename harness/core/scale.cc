@@ -2,6 +2,7 @@
 
 #include "harness/core/event_rows.h"
 #include "harness/core/force_law.h"
+#include "harness/core/golden.h"
 #include "harness/core/joint_coordinates.h"
 #include "harness/core/joint_force.h"
 #include "harness/core/observable_rows.h"
@@ -21,9 +22,8 @@ constexpr double steady = 1e-3;  // of the next best scale: a range below it is 
 /// The times at which a truth is looked at, where it knows any: 0, `until`, and between them
 /// until frac(i (sqrt 5 - 1)/2), which no period divides.
 std::vector<double> times_of_range(double until) {
-  const double golden = (std::sqrt(5.0) - 1) / 2;
   std::vector<double> times = {0, until};
-  for (int i = 1; i < samples; ++i) times.push_back(until * (i * golden - std::floor(i * golden)));
+  for (int i = 1; i < samples; ++i) times.push_back(until * golden_part(i));
   return times;
 }
 

@@ -1,5 +1,4 @@
 #include "harness/scenario/claim_tolerance.h"
-#include "harness/scenario/bind_motion.h"
 
 #include "harness/core/engine.h"
 #include "harness/core/equipartition.h"
@@ -113,20 +112,6 @@ void check_tolerance(const Table& t, Claim& claim, const core::Scene& scene, dou
         "tolerance: '{}' is itself only good to {:.3g} {}, but a tenth of the {:.3g} allowed is needed; "
         "valid: {:.3g} or more",
         claim.follows, error, core::unit(claim.observable), allowed, 10 * error));
-}
-
-void bind_motion(std::vector<Claim>& claims, double duration) {
-  const auto horizon = [&](const Claim& claim) { return std::min(claim.until, duration); };
-  const Claim* longest = nullptr;
-  for (const Claim& claim : claims)
-    if (claim.truth && claim.truth->knows_velocity && claim.truth->knows_angular_velocity &&
-        (!longest || horizon(claim) > horizon(*longest)))
-      longest = &claim;
-  if (!longest) return;
-  const auto motion = std::make_shared<core::RequiredMotion>(
-      *longest->truth, std::min(horizon(*longest), longest->truth->horizon));
-  for (Claim& claim : claims)
-    if (claim.follows.empty()) claim.motion = motion;
 }
 
 }  // namespace cylon::scenario

@@ -1,5 +1,6 @@
 #include "harness/scenario/claims.h"
 
+#include "harness/core/measure.h"
 #include "harness/core/recording.h"
 #include "harness/core/uncertain.h"
 #include "harness/scenario/bind_motion.h"
@@ -252,20 +253,18 @@ std::int64_t samples_after_start(const Claim& claim, double duration, double ste
   return static_cast<std::int64_t>(std::min(whole, 1e9)) + (last_too ? 1 : 0);
 }
 
-// A mean square gives the last sample no weight, and the start deviates by nothing; a slope needs two times.
+// What is known at some times only may lack the start, and a slope needs two times.
 void require_samples(const Table& t, const Claim& claim, double duration, double step) {
   const bool recorded = claim.truth && !claim.truth->times.empty();
-  const std::int64_t after = samples_after_start(claim, duration, step);
   const bool starts = !recorded || claim.truth->times.front() == 0;
-  const bool square = claim.reduction == Reduction::mean_square && after < 2;
-  const bool slope = claim.reduction == Reduction::rate && after + (starts ? 1 : 0) < 2;
-  if (!square && !slope) return;
-  t.fail(
-      "measure",
-      fmt::format("measure = \"{}\" of {} sample{} after the start measures nothing{}; valid: {} or more{}",
-                  core::name(claim.reduction), after, after == 1 ? "" : "s",
-                  square ? ", as the last one has no weight" : "", 2,
-                  recorded ? "" : ", by a shorter 'sample' or a later 'until'"));
+  const int needed = claim.reduction == Reduction::rate && !starts ? 2 : core::samples_needed(claim);
+  const std::int64_t after = samples_after_start(claim, duration, step);
+  if (needed < 2 || after >= needed) return;
+  t.fail("measure",
+         fmt::format("measure = \"{}\" of {} sample{} after the start says nothing{}; valid: {} or more{}",
+                     core::name(claim.reduction), after, after == 1 ? "" : "s",
+                     claim.reduction == Reduction::mean_square ? ", as the last one has no weight" : "",
+                     needed, recorded ? "" : ", by a shorter 'sample' or a later 'until'"));
 }
 
 }  // namespace

@@ -192,15 +192,12 @@ std::int64_t steps_until(const Claim& claim, const Scenario& scenario, double dt
   return static_cast<std::int64_t>(std::min(claim.until, scenario.duration) / dt * (1 + 1e-9));
 }
 
-// A mean square gives its last sample no weight.
-int steps_needed(const Claim& claim) { return claim.reduction == core::Reduction::mean_square ? 2 : 1; }
-
 // Whether no step of the run counts: it would pass with the start alone.
 bool sees_the_start_alone(const Claim& claim, const Scenario& scenario, double dt) {
   return claim.observable.quantity != core::Quantity::event &&
          !core::of_last_step(claim.observable.quantity) && !claim.at_least &&
          (!claim.truth || claim.truth->times.empty()) &&
-         steps_until(claim, scenario, dt) < steps_needed(claim);
+         steps_until(claim, scenario, dt) < core::samples_needed(claim);
 }
 
 }  // namespace
@@ -295,9 +292,9 @@ std::vector<Verdict> run(const Cell& cell, const process::Limits& limits,
     if (sees_the_start_alone(scenario.claims[i], scenario, cell.dt)) {
       rows[i].status = results::Status::unsupported;
       const Claim& claim = scenario.claims[i];
-      rows[i].detail =
-          fmt::format("the claim ends at {} s, within the first {}", std::min(claim.until, scenario.duration),
-                      steps_needed(claim) == 1 ? "step" : "two steps, of which the last has no weight");
+      rows[i].detail = fmt::format(
+          "the claim ends at {} s, within the first {}", std::min(claim.until, scenario.duration),
+          core::samples_needed(claim) == 1 ? "step" : "two steps, of which the last has no weight");
     }
   if (!bad) measure_spread(cell, plan, limits, recordings.front(), rows);
   return rows;

@@ -1,6 +1,8 @@
 // Engines of single precision were judged by the rounding of double precision where a claim allows for rounding alone:
 // 1e-12, in projectile, compound_spin, gas and bouncing_sphere.  Havok failed projectile by one bit.  Such a tolerance is
 // now a number of roundings, of the precision that the engine declares; a fault beyond them still shows in both.
+#include "harness/core/solid.h"
+#include "harness/process/client.h"
 #include "tests/conformance/fixture.h"
 
 #include <gtest/gtest.h>
@@ -89,6 +91,26 @@ TEST(RoundingOfSinglePrecision, HidesNoFault) {
           << fault.scene << ", " << id << ", " << fault.claim << ": " << verdict.measured << " of "
           << verdict.allowed << ' ' << verdict.detail;
     }
+}
+
+// Some 4 % of ordinary bodies that spin were refused: w -> L -> w leaves some roundings, and these were taken for a turn
+// about an axis without inertia, or for another start.
+TEST(RoundingOfSinglePrecision, OfATurnIsNoOtherTurn) {
+  core::Scene scene;
+  core::Body& box = scene.bodies.emplace_back();
+  box.name = "box";
+  box.mass = 1.312;
+  box.shape = core::Box{{0.199, 0.328, 0.129}};
+  box.inertia = core::mass_properties(box.shape, box.mass).inertia;
+  box.initial.orientation = {0.13308807561017152, 0.7590546175287664, 0.015299802420254556,
+                             0.6370946301645781};
+  box.initial.angular_velocity = {1.7886, -2.491, -0.8117};
+  process::RunRequest request;
+  request.scene = &scene;
+  request.setup.dt = 0.001;
+  request.steps = request.every = 100;
+  const process::RunOutcome outcome = process::run(engine("in-house-float"), request, {});
+  EXPECT_EQ(outcome.status, results::Status::pass) << outcome.reason;
 }
 
 }  // namespace
