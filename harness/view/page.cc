@@ -10,13 +10,12 @@
 
 namespace cylon::view {
 
-std::string page(const std::string& token) {
+std::string page() {
   return fmt::format(R"(<!doctype html>
 <html data-page="view" lang="en">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<meta name="cylon-token" content="{}">
 <title>Cylon</title>
 <style>{}</style>
 </head>
@@ -26,7 +25,7 @@ std::string page(const std::string& token) {
 </body>
 </html>
 )",
-                     token, web::style(), web::script());
+                     web::style(), web::script());
 }
 
 std::string security_policy() {

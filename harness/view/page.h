@@ -5,8 +5,9 @@
 
 namespace cylon::view {
 
-/// <html data-page="view"> with the script and the style that are embedded in the program, and the token.
-std::string page(const std::string& token);
+/// <html data-page="view"> with the script and the style that are embedded in the program.  It holds no secret: anybody
+/// may ask for it.
+std::string page();
 
 /// Content-Security-Policy of every answer: this script alone, no other origin, in no frame.
 std::string security_policy();

@@ -63,7 +63,7 @@ struct Server::Parts {
 
   Answer serve(const Head& head, const std::string& body) try {
     const std::string& path = head.path;  // one of those that refusal_of() lets pass
-    if (path == "/") return {200, "text/html; charset=utf-8", page(token), {}};
+    if (path == "/") return {200, "text/html; charset=utf-8", page(), {}};
     if (path == "/api/session") return {200, "application/json", host.session_json(), {}};
     if (path == "/api/stream") return stream();
     if (path == "/api/command") {
@@ -104,6 +104,7 @@ void Server::stop() { parts_->listener->stop(); }
 
 int Server::port() const { return parts_->port; }
 const std::string& Server::token() const { return parts_->token; }
+std::string Server::address() const { return fmt::format("{}#token={}", url(), token()); }
 std::string Server::url() const { return fmt::format("http://{}:{}/", loopback, parts_->port.load()); }
 
 }  // namespace cylon::view

@@ -11,6 +11,7 @@
 #include "harness/view/command.h"
 #include "harness/view/frames.h"
 #include "harness/view/host.h"
+#include "harness/view/redirect.h"
 #include "harness/view/server.h"
 
 #include <fmt/format.h>
@@ -21,6 +22,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <memory>
+#include <system_error>
 
 namespace cylon::cli {
 namespace {
@@ -34,11 +36,11 @@ struct Options {
   double speed = 1, seconds = 0;
 };
 
-// By the desktop's own choice, without waiting for it; nothing where there is no desktop.
-void open_browser(const std::string& url) {
-  if (!std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY")) return;
-  std::string program = "xdg-open", address = url;
-  char* const argv[] = {program.data(), address.data(), nullptr};
+// By the desktop's own choice, without waiting for it.  Command lines are for all to read, so that the browser is given a
+// file that leads to the address.
+void open_browser(const view::Redirect& redirect) {
+  std::string program = "xdg-open", file = redirect.file().string();
+  char* const argv[] = {program.data(), file.data(), nullptr};
   pid_t pid = 0;
   posix_spawn_file_actions_t quiet;
   posix_spawn_file_actions_init(&quiet);
@@ -47,6 +49,17 @@ void open_browser(const std::string& url) {
   if (posix_spawnp(&pid, program.c_str(), &quiet, nullptr, argv, environ) != 0)
     std::cerr << "no browser was opened: xdg-open is not installed\n";
   posix_spawn_file_actions_destroy(&quiet);
+}
+
+// Opens a browser where there is a desktop; the file must stay as long as the server.
+std::unique_ptr<view::Redirect> shown_in_browser(const std::string& address) try {
+  if (!std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY")) return nullptr;
+  auto redirect = std::make_unique<view::Redirect>(address);
+  open_browser(*redirect);
+  return redirect;
+} catch (const std::system_error& error) {  // no place for the file
+  std::cerr << plain_line(fmt::format("no browser was opened: {}", error.what())) << '\n';
+  return nullptr;
 }
 
 std::unique_ptr<view::Session> make_session(const Context& context, const Options& options) {
@@ -93,9 +106,10 @@ int view_scenario(const Context& context, const Options& options) {
   if (!options.record.empty() && !file) frames = std::make_unique<view::Frames>(options.record);
   view::Host host(std::move(session), file ? options.record : "", say);
   view::Server server(host, frames.get(), options.port);
-  say(server.url());
+  say(server.address());
   for (const std::string& line : host.failures()) std::cerr << plain_line(line) << '\n';
-  if (!options.no_open) open_browser(server.url());
+  std::unique_ptr<view::Redirect> redirect;
+  if (!options.no_open) redirect = shown_in_browser(server.address());
   const Clock::time_point start = Clock::now();
   const auto over = [&] {
     return options.seconds > 0 &&
@@ -138,7 +152,10 @@ Command add_view(App& app, const Context& context) {
       ->type_name("FILE.toml|FOLDER");
   app.add_option("--for", options->seconds, "Stop after S seconds")->type_name("S")->check(positive(1e9));
   add_brought_options(app, options->brought);
-  app.footer("Ctrl-C stops the viewer (exit code 0).  The page is served on 127.0.0.1 only.");
+  app.footer(
+      "Ctrl-C stops the viewer (exit code 0).  It is served on 127.0.0.1 only, and only for a page that was "
+      "opened by "
+      "the printed address: that holds a secret which is new at each start.");
   return [=, &context] {
     if (options->engines.empty()) options->engines = {"in-house"};
     return view_scenario(context, *options);

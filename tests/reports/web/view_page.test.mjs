@@ -94,8 +94,28 @@ test('an engine that cannot says why in its place, and the page says when the se
   await page.getByText(/No connection to the server/).waitFor();
   // Another server at the same place has other secrets, and the page says what to do.
   await view(t, 'spherical_pendulum', '--port', new URL(url).port);
-  await page.getByText(/reload the page/).waitFor();
+  await page.getByText(/another server answers here/).waitFor();
   assert.deepEqual(await accessibilityFaults(page), []);
+});
+
+test('the secret leaves the address bar, stays for a reload, and no other page has it', async (t) => {
+  const { url } = await view(t, 'projectile', '--engine', 'in-house', '--paused');
+  const [bare, token] = url.split('#token=');
+  const page = await open(url);
+  await page.locator('.lane').first().waitFor();
+  assert.equal(page.url(), bare);
+  assert.ok(!(await page.content()).includes(token));
+  await page.reload();
+  await page.locator('.lane').first().waitFor();
+
+  const stranger = await open(bare);
+  await stranger.getByText(/Open the address that cylon view printed/).waitFor();
+  assert.equal(await stranger.locator('.lane').count(), 0);
+  assert.deepEqual(await accessibilityFaults(stranger), []);
+  await stranger.goto(url); // only what is behind the '#' is another: no new page is loaded by that alone
+  await stranger.locator('.lane').first().waitFor();
+  assert.equal(stranger.url(), bare);
+  assert.deepEqual([...page.faults, ...stranger.faults], []);
 });
 
 test('a recording keeps pictures of simulated time', async (t) => {

@@ -1,7 +1,7 @@
 // What the viewer's page and its server say to each other, on loopback alone.
 //
-//   GET  /            the page; <meta name="cylon-token"> holds the token that every other request must bring in
-//                     the header X-Cylon-Token (a page of another origin cannot read it)
+//   GET  /            the page, which holds no secret.  Every other request must bring the token in the header
+//                     X-Cylon-Token; the page has it from behind the '#' of the address that `cylon view` printed
 //   GET  /api/session a Session
 //   GET  /api/stream  messages without end: u32 little-endian length of the header, u32 bytes of the payload, the
 //                     header (a Message as JSON), the payload

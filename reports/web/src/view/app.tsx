@@ -16,10 +16,16 @@ import { laneName } from './viewer';
 import type { Viewer } from './viewer';
 
 function Banner({ viewer }: { viewer: Viewer }) {
-  const { connected, why, notice } = viewer;
+  const { connected, locked, why, notice } = viewer;
   return (
     <div class="banners" role="alert">
-      {!connected && (
+      {locked && (
+        <p class="banner gone">
+          This page lacks the secret of the viewer. Open the address that <code>cylon view</code> printed: it
+          holds the secret.
+        </p>
+      )}
+      {!connected && !locked && (
         <p class="banner gone">No connection to the server: {why}. The page tries again by itself.</p>
       )}
       {connected && notice !== '' && (

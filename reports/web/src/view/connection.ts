@@ -2,11 +2,14 @@
 import type { Command, Session } from '../shared/live';
 import { PacketReader } from './packets';
 import type { Packet } from './packets';
+import { hasSecret, secret } from './secret';
 
 export interface Listener {
   session(session: Session): void;
   packet(packet: Packet): void;
   connected(is: boolean, why: string): void;
+  /** The page has no secret, and nothing is asked. */
+  locked(): void;
 }
 
 const pause = (seconds: number, signal: AbortSignal): Promise<void> =>
@@ -16,13 +19,17 @@ const pause = (seconds: number, signal: AbortSignal): Promise<void> =>
   });
 
 export class Connection {
-  private readonly token = document.querySelector<HTMLMetaElement>('meta[name="cylon-token"]')?.content ?? '';
+  private readonly token = secret(window);
   private readonly stop = new AbortController();
 
   constructor(private readonly listener: Listener) {}
 
   /** Reads until `close`; after a failure again, a little later each time. */
   async run(): Promise<void> {
+    // The address with the secret may be put into the tab of a page without it, or of an earlier server.
+    const look = (): void => void (hasSecret(location.hash) && location.reload());
+    addEventListener('hashchange', look, { signal: this.stop.signal });
+    if (this.token === '') return this.listener.locked();
     let wait = 0.25; // [s]
     while (!this.stop.signal.aborted) {
       try {
@@ -68,7 +75,7 @@ export class Connection {
     });
     if (response.ok) return response;
     if (response.status === 403)
-      throw new Error('another server answers here than the one of this page; reload the page');
+      throw new Error('another server answers here than the one of this page; open the address that `cylon view` printed last');
     const text = await response.text();
     let why = text.slice(0, 400);
     try {

@@ -26,6 +26,7 @@ export class Viewer {
   state: StateMessage | null = null;
   connected = false;
   why = 'connecting'; // why not
+  locked = false; // for good: the page has no secret
   notice = ''; // the last refusal
   shown: Shown = {
     velocity: false,
@@ -48,6 +49,10 @@ export class Viewer {
     session: (session) => this.take(session),
     packet: (packet) => this.packet(packet),
     connected: (is, why) => this.setConnected(is, why),
+    locked: () => {
+      this.locked = true;
+      this.changed();
+    },
   });
   private readonly commands = new Commands(
     (command) => this.connection.command(command),

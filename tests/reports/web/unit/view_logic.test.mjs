@@ -14,6 +14,7 @@ const { Reach } = await load('view/reach.ts');
 const { goodStep } = await load('view/lane_panel.tsx');
 const { slide, speedAt } = await load('view/transport.tsx');
 const { wantsPictures } = await load('view/film.ts');
+const { hasSecret, secret } = await load('view/secret.ts');
 
 const body = (name, more = {}) => ({
   name,
@@ -236,4 +237,27 @@ test('plots leave room about their lines, also about one that lies still', () =>
 
 test('pictures go to a folder, not to a scenario', () => {
   for (const [recording, is] of [['', false], ['a.toml', false], ['A.TOML', false], ['film', true]]) assert.equal(wantsPictures({ recording }), is);
+});
+
+test('the secret is taken out of the address and kept by the tab', () => {
+  const kept = new Map();
+  const shown = [];
+  const place = (hash, storage = { getItem: (key) => kept.get(key) ?? null, setItem: (key, value) => kept.set(key, value) }) => ({
+    location: { pathname: '/', search: '?a=1', hash },
+    history: { state: null, replaceState: (state, title, url) => shown.push(url) },
+    get sessionStorage() {
+      if (storage) return storage;
+      throw new Error('denied');
+    },
+  });
+  assert.equal(secret(place('')), '');
+  assert.deepEqual(shown, []);
+  assert.equal(secret(place('#token=ab12')), 'ab12');
+  assert.equal(secret(place('')), 'ab12'); // a reload
+  assert.equal(secret(place('#webgl=off&token=cd')), 'cd');
+  assert.equal(secret(place('#webgl=off')), 'cd');
+  assert.equal(secret(place('#token=ef', null)), 'ef');
+  assert.equal(secret(place('', null)), '');
+  assert.deepEqual(shown, ['/?a=1', '/?a=1#webgl=off', '/?a=1']);
+  assert.deepEqual(['', '#webgl=off', '#token=a', '#b&token=a'].map(hasSecret), [false, false, true, true]);
 });
