@@ -1,5 +1,6 @@
 #include "harness/cli/command_line.h"
 
+#include "harness/process/sandbox.h"
 #include "reports/text.h"
 
 namespace cylon::cli {
@@ -17,6 +18,12 @@ std::string shell_command(std::span<const std::string> words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : " ") + shell_word(word);
   return text;
+}
+
+std::vector<std::string> program_words() {
+  std::vector<std::string> words = {"cylon"};
+  if (process::sandboxing()) words.emplace_back("--sandbox");
+  return words;
 }
 
 std::string plain(std::string_view text) {

@@ -168,7 +168,7 @@ void Farm::collect(bool resume) {
   const Durations known = durations(part_->command);
   std::vector<fs::path> files = rank_journals(part_->command);
   if (fs::exists(place)) files.push_back(place);
-  Union all = resume ? unite_own(*part_, files) : Union{*part_, {}, part_->units, {}, 0};
+  Union all = resume ? unite_own(*part_, files) : Union{*part_, {}, part_->units, {}, 0, false};
   say_strange(all.strange);
   write(all, place);
   for (const fs::path& file : rank_journals(part_->command)) fs::remove(file);

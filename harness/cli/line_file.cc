@@ -5,6 +5,7 @@
 #include "harness/cli/read_whole.h"
 #include "harness/core/input_error.h"
 #include "harness/input/json.h"
+#include "harness/process/sandbox.h"
 #include "harness/seal/seal.h"
 
 #include <fmt/format.h>
@@ -68,7 +69,22 @@ std::string LineFile::purpose() const {
   return "journal " + fs::weakly_canonical(fs::absolute(place_, ignored), ignored).string();
 }
 
+json LineFile::sandbox_mark() { return {{"sandbox", true}}; }
+bool LineFile::is_sandbox_mark(const json& line) { return line == sandbox_mark(); }
+
 std::size_t LineFile::read(const std::function<void(const json&)>& take) const {
+  bool sandboxed = false;
+  const std::size_t strange = read_as_data([&](const json& line) {
+    if (is_sandbox_mark(line))
+      sandboxed = true;
+    else
+      take(line);
+  });
+  if (sandboxed) process::require_sandbox_again(fmt::format("{} was written", file_.string()));
+  return strange;
+}
+
+std::size_t LineFile::read_as_data(const std::function<void(const json&)>& take) const {
   std::error_code error;
   if (!fs::is_regular_file(file_, error)) return 0;
   if (const auto size = fs::file_size(file_, error); !error && size > largest_journal)
@@ -120,13 +136,14 @@ void LineFile::open(bool append) {
                     file_.string()));
   struct stat status = {};
   if (::fstat(fd_, &status) != 0 || !S_ISREG(status.st_mode)) return give_up(EINVAL);
-  if (!append) {
-    if (::ftruncate(fd_, 0) != 0) give_up(errno);
-    return;
-  }
   char last = '\n';
-  if (status.st_size > 0 && ::pread(fd_, &last, 1, status.st_size - 1) != 1) return give_up(errno);
-  if (last != '\n' && !write_all(fd_, "\n")) give_up(errno);  // ends a line that a crash has cut off
+  if (!append) {
+    if (::ftruncate(fd_, 0) != 0) return give_up(errno);
+  } else if (status.st_size > 0 && ::pread(fd_, &last, 1, status.st_size - 1) != 1) {
+    return give_up(errno);
+  }
+  if (last != '\n' && !write_all(fd_, "\n")) return give_up(errno);  // ends a line that a crash has cut off
+  if (process::sandboxing()) add(sandbox_mark());                    // before what is to be gone on with
 }
 
 void LineFile::add(const json& object, Disk disk) {

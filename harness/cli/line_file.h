@@ -25,10 +25,18 @@ class LineFile {
   LineFile(const LineFile&) = delete;
   LineFile& operator=(const LineFile&) = delete;
 
-  /// Every object that this user sealed for this file, in order.  Lines that were cut off by a crash, or that
+  /// Every object that this user sealed for this file, in order, to go on with it.  Throws core::InputError where it was
+  /// written with --sandbox and this program runs engines without: what it names is a stranger's.  Lines that were cut off by a crash, or that
   /// somebody else wrote or moved here, are left out; how many is returned.  `take` may throw std::exception:
   /// that line is left out, too.
   std::size_t read(const std::function<void(const nlohmann::json&)>& take) const;
+
+  /// The same for who runs nothing of it, with the lines for which is_sandbox_mark().
+  std::size_t read_as_data(const std::function<void(const nlohmann::json&)>& take) const;
+
+  /// The line of a journal whose engines ran in a sandbox; open() writes it where they do now.
+  static nlohmann::json sandbox_mark();
+  static bool is_sandbox_mark(const nlohmann::json&);
 
   /// The same of a file that anybody may have written anywhere: their word is taken for it.  Throws
   /// core::InputError where it cannot be read, has more than 256 MB, or there is no room for what it holds, which is taken

@@ -72,7 +72,7 @@ Part part_from(const nlohmann::json& json) {
 
 Durations durations(const std::string& command) {
   Durations known;
-  LineFile(journal_file(command)).read([&](const nlohmann::json& line) {
+  LineFile(journal_file(command)).read_as_data([&](const nlohmann::json& line) {
     if (line.contains("cell")) known[line.at("cell")] = line.at("seconds");
   });
   return known;

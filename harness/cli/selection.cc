@@ -181,10 +181,11 @@ bool is_stranger(const Context& context, const scenario::Scenario& scenario) {
   return scenario::read(*own).hash != scenario.hash;
 }
 
-// `cylon run SCENARIO --engine ID --dt S`, with the worker of an engine that is not built in, and plug-ins.
+// `cylon [--sandbox] run SCENARIO --engine ID --dt S`, with the worker of an engine that is not built in, and plug-ins.
 std::string command_for(const Context& context, const Request& request, const std::string& given,
                         const EngineChoice& engine, const std::string& step) {
-  std::vector<std::string> words = {"cylon", "run", given, "--engine", engine.id, "--dt", step};
+  std::vector<std::string> words = program_words();
+  words.insert(words.end(), {"run", given, "--engine", engine.id, "--dt", step});
   if (std::none_of(context.engines.begin(), context.engines.end(), [&](const EngineRow& own) {
         return own.id == engine.row.id && (engine.row.takes_plugins || own.command == engine.row.command);
       })) {

@@ -4,6 +4,7 @@
 #include "harness/core/input_error.h"
 #include "harness/input/json.h"
 #include "harness/process/last_words.h"
+#include "harness/process/sandbox.h"
 #include "reports/json.h"
 
 #include <fmt/format.h>
@@ -25,6 +26,7 @@ struct File {
   std::optional<Part> part;
   std::vector<std::pair<std::string, Result>> results;  // by key, in the order of the file
   std::size_t strange = 0;
+  bool sandboxed = false;
 };
 
 // Throws std::exception for a line that holds no result.
@@ -41,9 +43,11 @@ Result result_of(const json& line) {
 using Reader = std::function<std::size_t(const fs::path&, const std::function<void(const json&)>&)>;
 
 File read(const fs::path& path, const Reader& reader) {
-  File file{path, {}, {}, 0};
+  File file{path, {}, {}, 0, false};
   file.strange = reader(path, [&](const json& line) {
-    if (line.contains("part"))
+    if (LineFile::is_sandbox_mark(line))
+      file.sandboxed = true;
+    else if (line.contains("part"))
       file.part = part_from(line);
     else if (!line.contains("request")) {
       file.results.emplace_back(line.at("key").get<std::string>(), result_of(line));
@@ -57,7 +61,7 @@ File read(const fs::path& path, const Reader& reader) {
 
 File read_own(const fs::path& path) {
   return read(path, [](const fs::path& file, const std::function<void(const json&)>& take) {
-    return LineFile(file).read(take);
+    return LineFile(file).read_as_data(take);
   });
 }
 
@@ -135,6 +139,7 @@ Union union_of(std::vector<File> files, Part part) {
   std::map<std::string, std::size_t> source;  // of each line
   for (std::size_t f = 0; f < files.size(); ++f) {
     all.strange += files[f].strange;
+    all.sandboxed = all.sandboxed || files[f].sandboxed;
     for (auto& [key, result] : files[f].results) {
       const auto [there, is_new] =
           all.results.try_emplace(key, std::move(result));  // stays where it is not new
@@ -179,7 +184,9 @@ Union unite(std::span<const fs::path> paths) {
 Union unite_own(const Part& part, std::span<const fs::path> paths) {
   std::vector<File> files;
   std::ranges::transform(paths, std::back_inserter(files), read_own);
-  return union_of(std::move(files), part);
+  Union all = union_of(std::move(files), part);
+  if (all.sandboxed) process::require_sandbox_again("what this folder holds was written");
+  return all;
 }
 
 void write(const Union& all, const fs::path& place) {
@@ -189,6 +196,7 @@ void write(const Union& all, const fs::path& place) {
   {
     LineFile file(fresh, place);
     file.open(false);
+    if (all.sandboxed && !process::sandboxing()) file.add(LineFile::sandbox_mark(), LineFile::Disk::later);
     file.add(to_json(all.part), LineFile::Disk::later);
     std::set<std::string> written;
     const auto add = [&](const std::string& key, const json& line) {

@@ -30,6 +30,7 @@ struct Union {
   /// in a.jsonl and 3 in b.jsonl".  The same input must give the same bits, so that each is a finding.
   std::vector<std::string> contradictions;
   std::size_t strange = 0;  ///< Lines that a crash has cut off.
+  bool sandboxed = false;   ///< Engines of a part ran in a sandbox: whoever goes on must use one, too.
 };
 
 /// Throws core::InputError for a file that is no journal, and for journals that ask something else: another
@@ -39,6 +40,7 @@ Union unite(std::span<const std::filesystem::path>);
 
 /// The same of this user's own journals in this folder, whatever they asked, as the union of `part`: a line is used for what
 /// its key says.  Lines that this user did not write here are left out and counted as strange.  No other line is lost.
+/// Throws core::InputError where a part ran in a sandbox and this program runs engines without.
 Union unite_own(const Part&, std::span<const std::filesystem::path>);
 
 /// Writes it whole or not at all, as this user's own journal of the place.  Throws core::InputError where it

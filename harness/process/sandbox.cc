@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstddef>
+#include <cstdlib>
 #include <filesystem>
 #include <initializer_list>
 #include <iterator>
@@ -132,6 +133,63 @@ bool is_inside(const fs::path& path, const fs::path& folder) {
   return std::ranges::mismatch(folder, path).in1 == folder.end();
 }
 
+// The home folder without symbolic links; empty where there is none.
+fs::path home_folder() {
+  const char* home = std::getenv("HOME");  // NOLINT(concurrency-mt-unsafe): nothing here sets it
+  std::error_code error;
+  const fs::path real = home && *home ? fs::canonical(home, error) : fs::path();
+  return error ? fs::path() : real;
+}
+
+// Whether more lies in a folder than an engine that somebody put there: a home folder and all above it, the settings
+// directly in it (~/.ssh, ~/.config), and folders of the system and of everybody.
+bool holds_others(const fs::path& folder) {
+  constexpr std::string_view itself[] = {"/",     "/boot", "/dev/shm", "/home", "/media", "/mnt",    "/opt",
+                                         "/root", "/run",  "/srv",     "/tmp",  "/var",   "/var/tmp"};
+  constexpr std::string_view with_all_in_it[] = {"/dev", "/etc", "/proc", "/sys"};
+  const fs::path home = home_folder(), above = folder.parent_path();
+  return std::ranges::find(itself, folder) != std::end(itself) || above == "/home" ||
+         std::ranges::any_of(with_all_in_it, [&](const fs::path& one) { return is_inside(folder, one); }) ||
+         (!home.empty() &&
+          (is_inside(home, folder) || (above == home && folder.filename().string().starts_with('.'))));
+}
+
+// What the words of a command show of the disk: the folders of the files that they name, so that an engine has its
+// modules, or a file alone where others' files lie beside it.
+struct Named {
+  std::set<fs::path> folders, files;
+};
+
+Named named_by(const std::vector<std::string>& command) {
+  Named named;
+  std::error_code error;
+  for (const std::string& word : command) {
+    const fs::path real = fs::weakly_canonical(fs::absolute(word), error);
+    if (error || !fs::is_regular_file(real, error)) continue;
+    // By both names: a link leads to the one, and the engine is started by the other.
+    const bool alone = holds_others(real.parent_path());
+    for (const fs::path& file : {real, fs::absolute(word).lexically_normal()})
+      if (alone || holds_others(file.parent_path()))
+        named.files.insert(file);
+      else
+        named.folders.insert(file.parent_path());
+  }
+  return named;
+}
+
+// Whether a file is to be shown by itself: not where a folder shows it, where the sandbox has files of its own, or where
+// it must stay hidden.
+bool is_to_be_shown(const fs::path& file, const std::set<fs::path>& folders) {
+  std::error_code error;
+  const fs::path real = fs::canonical(file, error);
+  const auto holds = [](const fs::path& place) {
+    return [&place](const fs::path& folder) { return is_inside(place, folder); };
+  };
+  return !error && std::ranges::none_of(folders, holds(file)) && !is_inside(file, "/proc") &&
+         (!is_inside(file, "/dev") || is_inside(file, "/dev/shm")) &&
+         std::ranges::none_of(hidden_in_sandboxes(), holds(real));
+}
+
 // Where what is hidden would be seen below the folders that are shown, and whether it is a folder.
 std::map<fs::path, bool> masks(const std::set<fs::path>& shown) {
   std::map<fs::path, bool> places;
@@ -182,22 +240,19 @@ std::vector<std::string> sandboxed(const std::vector<std::string>& command, cons
       "bwrap",  "--unshare-all", "--die-with-parent", "--new-session", "--cap-drop", "ALL", "--dev", "/dev",
       "--proc", "/proc"};
   const auto add = [&words](std::initializer_list<std::string> more) { words.insert(words.end(), more); };
-  const auto show = [&](const fs::path& folder) { add({"--ro-bind-try", folder, folder}); };
+  const auto show = [&](const fs::path& place) { add({"--ro-bind-try", place, place}); };
   std::set<fs::path> folders = {
       "/usr",      "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/etc/ld.so.cache", "/etc/alternatives",
       "/nix/store"};
   for (const fs::path& folder : folders) show(folder);
   for (const char* scratch : {"/tmp", "/dev/shm"}) add({"--size", scratch_bytes, "--tmpfs", scratch});
-  std::error_code error;
   const fs::path here = fs::current_path();
-  std::set<fs::path> own = {here};
-  for (const std::string& word : command)
-    if (const fs::path file = fs::weakly_canonical(fs::absolute(word), error);
-        !error && fs::is_regular_file(file, error))
-      own.insert(file.parent_path()), own.insert(fs::absolute(word).lexically_normal().parent_path());
-  for (const fs::path& folder : own)  // parents before what is in them
-    if (folder != "/") show(folder);
-  folders.merge(own);
+  Named own = named_by(command);
+  if (here != "/") own.folders.insert(here);
+  for (const fs::path& folder : own.folders) show(folder);  // parents before what is in them
+  folders.merge(own.folders);
+  for (const fs::path& file : own.files)
+    if (is_to_be_shown(file, folders)) show(file);
   for (const auto& [place, is_folder] : masks(folders))
     if (is_folder)
       add({"--size", "4096", "--tmpfs", place, "--remount-ro", place});
@@ -209,6 +264,14 @@ std::vector<std::string> sandboxed(const std::vector<std::string>& command, cons
   words.emplace_back("--");
   words.insert(words.end(), command.begin(), command.end());
   return words;
+}
+
+void require_sandbox_again(const std::string& what) {
+  if (sandboxing()) return;
+  throw core::InputError(
+      fmt::format("{} with --sandbox, and its engines are not started without: repeat the command as `cylon "
+                  "--sandbox …`",
+                  what));
 }
 
 void require_sandbox() {

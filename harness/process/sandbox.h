@@ -20,6 +20,10 @@ std::vector<std::filesystem::path>& hidden_in_sandboxes();
 /// Throws core::InputError where bubblewrap is not installed, or may not make namespaces here.
 void require_sandbox();
 
+/// Throws core::InputError unless sandboxing(): for what goes on with what ran in a sandbox.  `what` begins the
+/// sentence: ".cylon/journal.jsonl was written".
+void require_sandbox_again(const std::string& what);
+
 /// A descriptor that closes with its owner.
 class SandboxFilter {
  public:
@@ -41,7 +45,9 @@ class SandboxFilter {
 
 /// The command in namespaces of its own: no network, no other processes, no devices; system folders, the
 /// working folder and the folders of the files that it names read-only, without hidden_in_sandboxes(); empty /tmp and
-/// /dev/shm of 64 MiB each; everything else, the home folder among it, is not there.  It ends with its parent.
+/// /dev/shm of 64 MiB each; everything else, the home folder among it, is not there.  Of a file in the home folder, above
+/// it, among settings (~/.config, /etc) or in a folder of everybody (/tmp) nothing is shown but the file.  It ends with
+/// its parent.
 std::vector<std::string> sandboxed(const std::vector<std::string>& command, const SandboxFilter&);
 
 }  // namespace cylon::process

@@ -2,14 +2,17 @@
 
 #include "harness/core/files.h"
 #include "harness/process/child.h"
+#include "harness/process/sandbox.h"
 #include "harness/seal/sha256.h"
 #include "harness/study/modules.h"
 
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <system_error>
 
@@ -35,24 +38,41 @@ std::string file_hash(const fs::path& file) {
   return now.hash;
 }
 
-/// The files in "libfmt.so.9 => /lib/libfmt.so.9 (0x…)" and "/lib64/ld.so (0x…)"; none of what is no dynamic
-/// program.
-std::vector<fs::path> libraries(const std::string& program) {
+constexpr double patience = 10;                             // [s]
+constexpr std::size_t memory = std::size_t{1} << 30;        // [bytes]
+constexpr std::size_t largest_list = std::size_t{1} << 20;  // [bytes]
+
+/// What ldd prints of a program; "" where it prints too much or too long.  ldd runs the loader that the program itself
+/// names, which a stranger may have written: it is confined as the engine is.
+std::string printed_by_ldd(const std::string& program) {
+  const bool alone = process::sandboxing();
+  std::optional<process::SandboxFilter> filter;
+  if (alone) filter.emplace();
+  const std::vector<std::string> command = {"ldd", program};
   std::string text;
   try {
-    process::Child ldd({"ldd", program}, 0);
-    ldd.set_deadline(10, "ldd");
+    process::Child ldd(alone ? process::sandboxed(command, *filter) : command, memory,
+                       alone ? filter->inherited() : process::Inherited{});
+    ldd.set_deadline(patience, "ldd");
     while (ldd.receive()) {
       text += ldd.output();
       ldd.consume(ldd.output().size());
+      if (text.size() > largest_list) return "";
     }
   } catch (const process::Failure&) {
-    return {};
+    return "";
   }
+  return text;
+}
+
+/// The files in "libfmt.so.9 => /lib/libfmt.so.9 (0x…)" and "/lib64/ld.so (0x…)"; none of what is no dynamic
+/// program.
+std::vector<fs::path> libraries(const std::string& program) {
   std::vector<fs::path> files;
-  std::istringstream words(text);
+  std::istringstream words(printed_by_ldd(program));
   for (std::string word; words >> word;)
-    if (word.starts_with('/') && fs::is_regular_file(word)) files.emplace_back(word);
+    if (std::error_code ignored; word.starts_with('/') && fs::is_regular_file(word, ignored))
+      files.emplace_back(word);
   std::sort(files.begin(), files.end());
   return files;
 }

@@ -4,6 +4,7 @@
 #include "harness/cli/command_line.h"
 #include "harness/cli/provenance_now.h"
 #include "harness/cli/workers.h"
+#include "harness/process/sandbox.h"
 #include "harness/study/side.h"
 #include "harness/tracking/track.h"
 
@@ -12,6 +13,7 @@
 
 #include <iostream>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 
 namespace cylon::tracking {
@@ -26,6 +28,9 @@ struct Options {
   std::string store, name, engine = "in-house", note;
   Brought brought;
 };
+
+// Before the engine's name in the binary of an anchor that was pinned under --sandbox, as on a command line.
+constexpr std::string_view in_sandbox = "--sandbox ";
 
 // The binary is copied beside the store, as the next build would overwrite it.
 int pin(const Context& context, const Options& options) {
@@ -54,7 +59,8 @@ int pin(const Context& context, const Options& options) {
   const std::string build = study::content_hash(row.command);
   row.command.front() = relative.string();
   store.pin({.name = options.name,
-             .binary = fmt::format("{}={}", row.id, fmt::join(row.command, " ")),
+             .binary = fmt::format("{}{}={}", process::sandboxing() ? in_sandbox : "", row.id,
+                                   fmt::join(row.command, " ")),
              .build = build,
              .date = now(),
              .note = options.note,
@@ -77,10 +83,12 @@ std::vector<PinnedEngine> pinned_engines(const store::Store& store, const fs::pa
   std::vector<PinnedEngine> engines;
   for (const store::Anchor& anchor : store.anchors()) {
     PinnedEngine engine{anchor.name, {}};
-    const std::size_t equals = anchor.binary.find('=');
+    const bool sandboxed = anchor.binary.starts_with(in_sandbox);
+    const std::string binary = anchor.binary.substr(sandboxed ? in_sandbox.size() : 0);
+    const std::size_t equals = binary.find('=');
     if (equals == std::string::npos) continue;  // a run of another machine, imported: nothing to start
-    engine.row.id = anchor.binary.substr(0, equals);
-    std::istringstream words(anchor.binary.substr(equals + 1));
+    engine.row.id = binary.substr(0, equals);
+    std::istringstream words(binary.substr(equals + 1));
     for (std::string word; words >> word;) engine.row.command.push_back(word);
     if (engine.row.command.empty()) continue;
     std::string& program = engine.row.command.front();
@@ -92,6 +100,7 @@ std::vector<PinnedEngine> pinned_engines(const store::Store& store, const fs::pa
                 << '\n';
       continue;
     }
+    if (sandboxed) process::require_sandbox_again(fmt::format("anchor '{}' was pinned", anchor.name));
     program = (store_file.parent_path() / program).string();
     std::error_code ignored;
     if (!fs::is_regular_file(program, ignored) || study::content_hash(engine.row.command) != anchor.build)

@@ -19,7 +19,7 @@ struct PinnedEngine {
 
 /// The anchors of a store, ready to run: those that this user pinned.  Of others, whose program may be
 /// anything, stderr says that they are left out.  Throws core::InputError for one whose binary is gone or
-/// another than the one that was pinned.
+/// another than the one that was pinned, and for one that was pinned under --sandbox where there is no sandbox now.
 std::vector<PinnedEngine> pinned_engines(const store::Store&, const std::filesystem::path& store_file);
 
 /// The anchor in place of a cell's engine: with its variant where it is the same engine, else as it is.

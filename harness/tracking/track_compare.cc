@@ -27,7 +27,8 @@ namespace {
 
 /// The command that compares this cell again.
 std::string command_for(const CompareRequest& asked, const study::Cell& cell) {
-  std::vector<std::string> words = {"cylon", "track", asked.gate ? "gate" : "compare"};
+  std::vector<std::string> words = program_words();
+  words.insert(words.end(), {"track", asked.gate ? "gate" : "compare"});
   const auto option = [&](const char* name, const std::string& value) {
     if (!value.empty()) words.insert(words.end(), {name, value});
   };

@@ -14,6 +14,7 @@
 #include "harness/core/content_hash.h"
 #include "harness/input/json.h"
 #include "harness/process/interruption.h"
+#include "harness/process/sandbox.h"
 #include "harness/study/cell_pool.h"
 #include "harness/study/instructions.h"
 #include "harness/study/side.h"
@@ -26,6 +27,7 @@
 #include <iostream>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace cylon::tracking {
 
@@ -55,12 +57,15 @@ struct Options {
 };
 
 nlohmann::json to_json(const Request& request, const Measured& m) {
-  return {{"request", to_json(request)},    {"repetitions", m.repetitions}, {"orders", m.orders},
-          {"instructions", m.instructions}, {"timeout", m.timeout},         {"memory", m.memory}};
+  nlohmann::json j = {{"request", to_json(request)},    {"repetitions", m.repetitions}, {"orders", m.orders},
+                      {"instructions", m.instructions}, {"timeout", m.timeout},         {"memory", m.memory}};
+  if (process::sandboxing()) j["sandbox"] = true;
+  return j;
 }
 
 void restore(const std::string& text, Options& options) {
   const auto j = input::parse_json(text);
+  if (j.value("sandbox", false)) process::require_sandbox_again("this recording was begun");
   options.request = request_from(j.at("request"));
   options.measured = {j.at("repetitions"), j.at("orders"), j.at("instructions"), j.at("timeout"),
                       j.at("memory")};
@@ -120,12 +125,9 @@ void count_instructions(const study::Cell& cell, const Measured& measured, const
 // Runs the cells that the run lacks; each is in the store when its line is told.
 class Recorder {
  public:
-  Recorder(const Context& context, const Options& options, Store& store, std::int64_t run)
-      : context_(context),
-        options_(options),
-        store_(store),
-        run_(run),
-        anchors_(pinned_engines(store, options.store)) {
+  Recorder(const Context& context, const Options& options, Store& store, std::int64_t run,
+           std::vector<PinnedEngine> anchors)
+      : context_(context), options_(options), store_(store), run_(run), anchors_(std::move(anchors)) {
     limits_.run_seconds = options.measured.timeout;
     limits_.memory_bytes = static_cast<std::size_t>(options.measured.memory * 1073741824.0);
     expectations_ = cli::expectations(context);
@@ -236,24 +238,28 @@ int record(const Context& context, Options options) {
         fmt::format("the engine binaries have changed since the interrupted recording of {}; start a new one "
                     "without --resume",
                     run.date));
-  if (!store) {
-    store.emplace(Store::open(options.store, store::Mode::write));
+  if (!store) store.emplace(Store::open(options.store, store::Mode::write));
+  std::vector<PinnedEngine> anchors =
+      pinned_engines(*store, options.store);  // refused before anything is begun
+  if (!options.resume) {
     run = run_here(context, options.words);
     run.build = build;
     run.request = to_json(options.request, options.measured).dump(-1, ' ', true);
     run.id = store->begin_run(run);
   }
   lock.hold(*store, run.id);
-  Recorder recorder(context, options, *store, run.id);
+  Recorder recorder(context, options, *store, run.id, std::move(anchors));
   const process::Interruptible until_told;
   try {
     recorder.record(selection.cells);
   } catch (const process::Interrupted&) {
-    std::cerr << "interrupted; continue with `cylon track record --resume`\n";
+    std::cerr << fmt::format("interrupted; continue with `{} track record --resume`\n",
+                             shell_command(program_words()));
     return interrupted;
   }
   if (recorder.failed()) {
-    std::cerr << "cells are missing; continue with `cylon track record --resume`\n";
+    std::cerr << fmt::format("cells are missing; continue with `{} track record --resume`\n",
+                             shell_command(program_words()));
     return harness_failure;
   }
   store->finish_run(run.id);

@@ -196,8 +196,7 @@ int run_command_line(int argc, char** argv) {
         process::sandboxing() = true;
       },
       "Run engines in a sandbox (bubblewrap): no network, no files but read-only ones of the system, of this "
-      "folder "
-      "and of the engine");
+      "folder and of the engine. What began with it is resumed only with it");
   app.footer(
       "Exit codes: 0 all as expected, 1 a verdict differs or a regression is confirmed, 2 bad input, 3 "
       "undecided (with --strict) or a bound not reached (truth), 4 nothing selected or compared, 5 internal "

@@ -89,9 +89,11 @@ int merge(const Context& context, const Options& options) {
         "{} lines are cut off, no results, or were not written by you in this folder; they are not used\n",
         all.strange);
   const std::size_t count = all.part.units.size();
-  std::cerr << fmt::format("{} of {} are there; the union is {}{}\n", count - all.missing.size(), count,
-                           place.string(),
-                           command == "run" ? "" : fmt::format(", for `cylon {} … --resume`", command));
+  std::cerr << fmt::format(
+      "{} of {} are there; the union is {}{}\n", count - all.missing.size(), count, place.string(),
+      command == "run"
+          ? ""
+          : fmt::format(", for `cylon {}{} … --resume`", all.sandboxed ? "--sandbox " : "", command));
   const int code = command == "run" ? report(context, options, all, suite) : static_cast<int>(ok);
   std::vector<std::string> missing;
   for (const Unit& unit : all.missing) missing.push_back(unit.name);

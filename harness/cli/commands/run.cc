@@ -156,8 +156,9 @@ int run(const Context& context, const RunOptions& options) {
   for (const auto& list : {matrix.refused, matrix.failed})
     for (const std::string& line : list) std::cerr << "error: " << plain_line(line) << '\n';
   if (matrix.interrupted)
-    std::cerr << "interrupted: the reports hold what is done; continue with `cylon run --resume` in this "
-                 "folder\n";
+    std::cerr << fmt::format(
+        "interrupted: the reports hold what is done; continue with `{} run --resume` in this folder\n",
+        shell_command(program_words()));
   if (!matrix.refused.empty()) return bad_input;
   if (matrix.interrupted) return interrupted;
   if (!matrix.failed.empty() || (shard && !journal.is_open())) return harness_failure;

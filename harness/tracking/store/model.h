@@ -105,7 +105,9 @@ struct Series {
 
 /// A binary (and the run that recorded it, where there is one) that others are compared with by name.
 struct Anchor {
-  std::string name, binary, build, date, note;
+  std::string name;
+  std::string binary;  ///< "NAME=COMMAND", "--sandbox NAME=COMMAND" where it was pinned under --sandbox.
+  std::string build, date, note;
   std::string run;  ///< uid; "": none.
 };
 
