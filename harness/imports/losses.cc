@@ -46,6 +46,9 @@ constexpr std::array kinds = {
     LossKind{"limit_margin", left_out, "limits of a scene act at the limit itself"},
     LossKind{"sleep", left_out, "no body of a scene falls asleep"},
     LossKind{"solver", left_out, "solver settings are an engine's affair"},
+    LossKind{"other_engine", left_out,
+             "it is for engines that are not Gazebo's default, which does not read it"},
+    LossKind{"pace", left_out, "a run of a scene follows no clock"},
     // ---- What a scene assumes ----------------------------------------------------------------------------
     LossKind{"assumed", left_out, "the format does not say it"},
     LossKind{"joined_contact", left_out, "bodies that a joint ties do not touch each other in a scene"},

@@ -52,6 +52,10 @@ class Compiled {
   std::vector<std::string> absent() const { return json_.value("absent", std::vector<std::string>()); }
   /// What the library warned of.
   std::vector<std::string> warnings() const { return json_.value("warnings", std::vector<std::string>()); }
+  /// Options and flags of the solver that are not MuJoCo's own, by their names.
+  std::vector<std::string> solver_options() const {
+    return json_.at("option").value("solver", std::vector<std::string>());
+  }
   /// Which pairs of geoms touch: "predefined" those of <pair> alone, "dynamic" all others alone, "all".
   std::string collision() const { return json_.at("option").value("collision", "all"); }
 

@@ -70,7 +70,12 @@ std::vector<Drive> drives_of(const Compiled& m, foreign::Model& model) {
   std::vector<Drive> drives(static_cast<std::size_t>(m.size("njnt")));
   const int count = m.count("actuator");
   add_dampers(m, drives, model);
-  if (m.disabled("actuation") || count == 0) return drives;
+  if (m.disabled("actuation")) {
+    for (int i = 0; i < count; ++i)
+      model.losses.push_back({"actuator", m.place("actuator", i), "actuation is disabled"});
+    return drives;
+  }
+  if (count == 0) return drives;
   const int columns = static_cast<int>(m.length("actuator_biasprm")) / count;
   for (int i = 0; i < count; ++i) {
     const auto lose = [&](const char* what, const char* detail) {

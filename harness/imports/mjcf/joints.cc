@@ -167,6 +167,9 @@ void add_equality(const Compiled& m, int i, foreign::Model& model) {
   joint.may_touch = true;
   constexpr double closed = 1e-6;  // [m], [rad]: what the compiler leaves of a loop that closes
   constexpr int of_body = 1;       // mjOBJ_BODY; else mjOBJ_SITE, of frames in bodies that coincide
+  const int columns = static_cast<int>(m.length("eq_data")) / m.size("neq");
+  // A weld of which the torque scale is zero holds no direction.
+  const bool turns = kind == MjEquality::weld && columns > 10 && m.number("eq_data", columns * i + 10) == 0;
   if (m.integer("eq_objtype", i, of_body) != of_body) {
     const int sites[] = {m.integer("eq_obj1id", i), m.integer("eq_obj2id", i)};
     foreign::Pose at[2];
@@ -179,14 +182,13 @@ void add_equality(const Compiled& m, int i, foreign::Model& model) {
     joint.to = end_of(m, m.integer("site_bodyid", sites[1]));
     joint.point = at[0].position;
     if ((at[0].position - at[1].position).norm() > closed) return lose("its points are apart at the start");
-    if (kind == MjEquality::connect)
+    if (kind == MjEquality::connect || turns)
       joint.freedoms = {{.kind = "ball"}};
     else if (at[0].turn.angularDistance(at[1].turn) > closed)
       return lose("its bodies are not as it holds them at the start");
     return add_loop(m, joint, model);
   }
   const int body = m.integer("eq_obj1id", i), to = m.integer("eq_obj2id", i);
-  const int columns = static_cast<int>(m.length("eq_data")) / m.size("neq");
   const auto datum = [&](int k) {
     return Vector3(m.number("eq_data", columns * i + k), m.number("eq_data", columns * i + k + 1),
                    m.number("eq_data", columns * i + k + 2));
@@ -206,7 +208,6 @@ void add_equality(const Compiled& m, int i, foreign::Model& model) {
     const int k = columns * i + 6;
     const foreign::Quaternion asked(m.number("eq_data", k), m.number("eq_data", k + 1),
                                     m.number("eq_data", k + 2), m.number("eq_data", k + 3));
-    const bool turns = columns > 10 && m.number("eq_data", columns * i + 10) == 0;  // its torque scale
     if ((!turns && relative.turn.angularDistance(asked.normalized()) > closed) ||
         (first.position + first.turn * datum(3) - second.position - second.turn * datum(0)).norm() > closed)
       return lose("its bodies are not as it holds them at the start");

@@ -115,6 +115,7 @@ void add_losses(const Compiled& m, const std::string& keyframe, foreign::Model& 
   if (m.option("density") != 0 || m.option("viscosity") != 0)
     lose("fluid", {"option", "", 0},
          fmt::format("density {}, viscosity {}", m.option("density"), m.option("viscosity")));
+  for (const std::string& name : m.solver_options()) lose("solver", {"option", "", 0}, name);
   if (const double asleep = m.option("asleep", 0); asleep > 0)
     lose("unread", {"option", "", 0}, fmt::format("bodies that begin asleep: {}", asleep));
   else if (m.option("sleep", 0) != 0)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <vector>
 
 namespace cylon::imports {
 namespace {
@@ -13,8 +14,9 @@ namespace {
 using foreign::Solid;
 using foreign::Vector3;
 
-// All that decides whom a geom touches and how; `body` only where <exclude> names it.  That is the body itself and not
-// the one that it is welded to: of a base that is a part of the world, <exclude> leaves the floor as it is.
+// All that decides whom a geom touches and how; `body` only where <exclude> names it or it is free of its parent.  That is
+// the body itself and not the one that it is welded to: of a base that is a part of the world, <exclude> leaves the floor
+// as it is.
 struct Surface {
   int type = 0, affinity = 0, dimension = 3, priority = 0, body = -1;
   double friction = 1;
@@ -33,6 +35,23 @@ Pairs excluded(const Compiled& m) {
     pairs.insert({a, b});
   }
   return pairs;
+}
+
+// The degrees of freedom of a free body: its motions leave no joint in a scene (harness/imports/joints.cc).
+constexpr int all_motions = 6;
+
+// Bodies that move freely and hang on one that moves.  MuJoCo keeps parent and child apart, each with what is welded to
+// it (engine_collision_driver.c, filterBodyPair); in a scene joints do, and here there is none.
+void add_free_children(const Compiled& m, Pairs& pairs) {
+  if (m.disabled("filterparent")) return;
+  std::map<int, std::vector<int>> welded;
+  for (int body = 1; body < m.size("nbody"); ++body) welded[m.integer("body_weldid", body)].push_back(body);
+  for (int child = 1; child < m.size("nbody"); ++child) {
+    const int parent = m.integer("body_weldid", m.integer("body_parentid", child));
+    if (parent == 0 || m.integer("body_dofnum", child) != all_motions) continue;
+    for (const int a : welded[child])
+      for (const int b : welded[parent]) pairs.insert({a, b});
+  }
 }
 
 bool touch(const Surface& a, const Surface& b, const Pairs& apart) {
@@ -125,7 +144,8 @@ void lose_of_geom(const Compiled& m, int geom, const Surface& surface, foreign::
 }  // namespace
 
 void add_surfaces(const Compiled& m, foreign::Model& model) {
-  const Pairs apart = excluded(m);
+  Pairs apart = excluded(m);
+  add_free_children(m, apart);
   std::set<int> named;
   for (const auto& [a, b] : apart) named.insert(a), named.insert(b);
   const std::string collision = m.collision();
@@ -134,7 +154,11 @@ void add_surfaces(const Compiled& m, foreign::Model& model) {
       model.losses.push_back({"contact_pair", m.place("pair", i), ""});
 
   std::map<Surface, int> numbers;
-  if (m.disabled("contact") || m.disabled("constraint")) return;
+  if (m.disabled("contact") || m.disabled("constraint")) {
+    for (int geom = 0; geom < m.size("ngeom"); ++geom)
+      model.losses.push_back({"visual", m.place("geom", geom), "contacts are disabled"});
+    return;
+  }
   for (int geom = 0; geom < m.size("ngeom"); ++geom) {
     Surface s{.type = m.integer("geom_contype", geom),
               .affinity = m.integer("geom_conaffinity", geom),

@@ -113,6 +113,18 @@ function asleep(M, {opt, tree_sleep_policy: policies}) {
   return {sleep: 1, asleep: list(policies).filter((policy) => policy === M.mjtSleepPolicy.mjSLEEP_INIT.value).length};
 }
 
+// Options that are read, or that act on nothing here; the others are the solver's.
+const read_options = /^(timestep|gravity|density|viscosity|wind|magnetic|disable.*|enableflags|o_.*|sleep_tolerance)$/;
+const read_flags = new Set([...bits.map((name) => `mjDSBL_${name.toUpperCase()}`), 'mjDSBL_SENSOR', 'mjENBL_OVERRIDE', 'mjENBL_ENERGY', 'mjENBL_FWDINV', 'mjENBL_SLEEP']);
+
+/** The names of those that are not MuJoCo's own. */
+function solver_of(M, opt) {
+  const usual = new M.MjOption();
+  const named = Object.getOwnPropertyNames(Object.getPrototypeOf(usual)).filter((name) => typeof usual[name] === 'number' && !read_options.test(name) && opt[name] !== usual[name]);
+  const set = (flags, all, prefix) => Object.keys(all).filter((name) => name.startsWith(prefix) && !read_flags.has(name) && (flags & all[name].value) !== 0);
+  return [...named, ...set(opt.disableflags & ~usual.disableflags, M.mjtDisableBit, 'mjDSBL_'), ...set(opt.enableflags & ~usual.enableflags, M.mjtEnableBit, 'mjENBL_')];
+}
+
 function told(M, model, data) {
   const arrays = {}, sizes = {};
   for (const name of Object.getOwnPropertyNames(Object.getPrototypeOf(model))) {
@@ -140,7 +152,7 @@ function told(M, model, data) {
   for (const name of ['qpos', 'ctrl', 'act', 'xpos', 'xquat', 'xipos', 'xanchor', 'xaxis', 'ten_length']) start[name] = list(data[name]);
   return {
     library: `MuJoCo ${M.mj_versionString()}`, version: M.mj_version(), sizes, names: names_of(model), arrays,
-    option: {timestep: opt.timestep, gravity: list(opt.gravity), density: opt.density, viscosity: opt.viscosity, disabled, disabled_groups: opt.disableactuator,
+    option: {timestep: opt.timestep, gravity: list(opt.gravity), density: opt.density, viscosity: opt.viscosity, solver: solver_of(M, opt), disabled, disabled_groups: opt.disableactuator,
       ...asleep(M, model),
       ...(opt.enableflags & M.mjtEnableBit.mjENBL_OVERRIDE.value ? {contact_override: {friction: list(opt.o_friction), margin: opt.o_margin}} : {})}, start,
   };

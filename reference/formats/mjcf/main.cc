@@ -5,6 +5,7 @@
 #include <mujoco/mujoco.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -108,6 +109,26 @@ const char* collision(const mjModel* m) {
                                              : "all";
 }
 
+// Options of the solver that are not the library's own; the rest is read, or acts on nothing here.
+Json solver(const mjOption& own) {
+  mjOption usual;
+  mj_defaultOption(&usual);
+  const std::array<std::string_view, 6> others = {"timestep", "density",   "viscosity",
+                                                  "o_margin", "collision", "apirate"};
+  const int read_of_disabled = mjDSBL_CONSTRAINT | mjDSBL_EQUALITY | mjDSBL_FRICTIONLOSS | mjDSBL_LIMIT |
+                               mjDSBL_CONTACT | mjDSBL_PASSIVE | mjDSBL_GRAVITY | mjDSBL_FILTERPARENT |
+                               mjDSBL_ACTUATION | mjDSBL_CLAMPCTRL | mjDSBL_SENSOR;
+  const int read_of_enabled = mjENBL_OVERRIDE | mjENBL_ENERGY | mjENBL_FWDINV | mjENBL_SENSORNOISE;
+  mjOption kept = own;
+  kept.disableflags &= ~read_of_disabled, kept.enableflags &= ~read_of_enabled;
+  Json json = Json::array();
+#define X(type, name) \
+  if (kept.name != usual.name && std::ranges::find(others, #name) == others.end()) json.push_back(#name);
+  MJOPTION_SCALARS
+#undef X
+  return json;
+}
+
 // What MuJoCo warns of, for which it has a function without an argument of ours.
 Json& warnings() {
   static Json all = Json::array();
@@ -159,6 +180,7 @@ int main(int argc, char** argv) {
         {"density", m->opt.density},
         {"viscosity", m->opt.viscosity},
         {"collision", collision(m)},
+        {"solver", solver(m->opt)},
         {"disabled", disabled(m)}}},
       {"start",
        {{"qpos", list(d->qpos, count(m->nq, 1))},

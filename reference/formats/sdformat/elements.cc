@@ -1,13 +1,15 @@
-// The tree of libsdformat against what the reader reads: elements of the format that it leaves out, elements and attributes
+// The tree of libsdformat against what the reader reads: elements and attributes of the format that it leaves out, those
 // that the format does not know, and numbers with something behind them, of which the library takes the start ("0,5" as 0).
 #include "reference/formats/sdformat/reader.h"
 
 #include "reference/formats/resources/gazebo.h"
 #include "reference/formats/resources/resources.h"
+#include "reference/formats/sdformat/known.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <functional>
 #include <iterator>
 #include <regex>
 #include <sstream>
@@ -19,55 +21,7 @@ namespace {
 
 using foreign::Place;
 
-using Holds = bool (*)(const sdf::Element&, bool windy);
-
-constexpr Holds always = [](const sdf::Element&, bool) { return true; };
-constexpr Holds nonzero = [](const sdf::Element& e, bool) { return e.Get<double>() != 0; };
-constexpr Holds in_wind = [](const sdf::Element& e, bool windy) { return windy && e.Get<bool>(); };
-
-// An element below another, and the kind of loss that it is where it `holds`.
-struct Row {
-  std::string_view parent, name;
-  const char* what;
-  Holds holds = always;
-};
-
-constexpr std::array rows = {
-    // ---- Moves bodies ------------------------------------------------------------------------------------
-    Row{"model", "enable_wind", "wind", in_wind},
-    Row{"link", "enable_wind", "wind", in_wind},
-    Row{"ode", "max_force", "actuator_force", nonzero},
-    Row{"axis", "mimic", "mimic"},
-    Row{"axis2", "mimic", "mimic"},
-    Row{"inertial", "fluid_added_mass", "fluid"},
-    Row{"world", "population", "unread"},
-    Row{"model", "gripper", "unread"},
-    Row{"contact", "category_bitmask", "unread"},
-    // ---- Starts elsewhere --------------------------------------------------------------------------------
-    Row{"world", "state", "keyframe"},
-    Row{"axis", "initial_position", "keyframe", nonzero},
-    Row{"axis2", "initial_position", "keyframe", nonzero},
-    // ---- How an engine solves ----------------------------------------------------------------------------
-    Row{"physics", "ode", "solver"},
-    Row{"physics", "bullet", "solver"},
-    Row{"physics", "simbody", "solver"},
-    Row{"physics", "dart", "solver"},
-    Row{"physics", "max_contacts", "solver"},
-    Row{"link", "must_be_base_link", "solver"},
-    Row{"collision", "max_contacts", "solver"},
-    Row{"limit", "stiffness", "solver"},
-    Row{"limit", "dissipation", "solver"},
-    // ---- Shows or measures -------------------------------------------------------------------------------
-    Row{"world", "road", "presentation"},
-    Row{"link", "projector", "presentation"},
-    Row{"link", "particle_emitter", "presentation"},
-    Row{"link", "audio_sink", "presentation"},
-    Row{"link", "audio_source", "presentation"},
-    Row{"link", "battery", "sensor"},
-    Row{"collision", "laser_retro", "sensor"},
-};
-
-// What is below these is theirs: no body follows from it, or it has been told as a whole.
+// Numbers below these are not looked at: no body follows from them, or they belong to code of others.
 constexpr std::array<std::string_view, 10> closed = {"plugin", "visual",   "sensor", "light", "gui",
                                                      "scene",  "material", "state",  "actor", "population"};
 
@@ -90,9 +44,8 @@ std::string not_a_number(const sdf::Param& value) {
   return "";
 }
 
-}  // namespace
-
-void SdfReader::check_elements(const sdf::ElementPtr& element, int line) {
+// The words of all numbers that a file states in an element.
+void refuse_words(const sdf::ElementPtr& element, int line) {
   if (element->LineNumber()) line = *element->LineNumber();
   const auto refuse_word = [&](const sdf::ParamPtr& value, const std::string& of) {
     if (const std::string word = value ? not_a_number(*value) : ""; !word.empty())
@@ -103,24 +56,79 @@ void SdfReader::check_elements(const sdf::ElementPtr& element, int line) {
   for (std::size_t i = 0; i < element->GetAttributeCount(); ++i)
     if (const sdf::ParamPtr attribute = element->GetAttribute(static_cast<unsigned>(i)); attribute->GetSet())
       refuse_word(attribute, " " + attribute->GetKey());
-  for (sdf::ElementPtr child = element->GetFirstElement(); child; child = child->GetNextElement()) {
-    if (!child->GetExplicitlySetInFile()) continue;
-    const std::string& name = child->GetName();
-    Place where = place("element", name, child);
+  for (sdf::ElementPtr child = element->GetFirstElement(); child; child = child->GetNextElement())
+    if (child->GetExplicitlySetInFile() && element->HasElementDescription(child->GetName()) &&
+        std::ranges::find(closed, child->GetName()) == closed.end())
+      refuse_words(child, line);
+}
+
+// The losses of what a file states in an element, by the table of what the format knows.
+class Walk {
+ public:
+  Walk(bool windy, std::function<Place(const std::string&, const sdf::ElementPtr&)> place,
+       std::function<void(const char*, Place, std::string)> lose)
+      : windy_(windy), place_(std::move(place)), lose_(std::move(lose)) {}
+
+  void below(const sdf::ElementPtr& element, const std::string& path, int line) const {
+    if (element->LineNumber()) line = *element->LineNumber();
+    check_attributes(element, line);
+    for (sdf::ElementPtr child = element->GetFirstElement(); child; child = child->GetNextElement()) {
+      // What an included model has in place of its <include>, which the library keeps beside it.
+      if (const sdf::ElementPtr include = child->GetIncludeElement()) below(include, "include", line);
+      if (!child->GetExplicitlySetInFile()) continue;
+      const std::string& name = child->GetName();
+      const Path at = path_of(path, name);
+      const ElementRow* row = row_of(at.row, element->HasElementDescription(name));
+      if (row && row->use == Use::read) {
+        below(child, at.below, line);
+      } else if (!row) {
+        const bool moves = std::ranges::find(moving_elements, name) != std::end(moving_elements);
+        lose_(moves ? "unread" : "custom", where(element, child, line), "<" + name + ">");
+      } else if (row->use == Use::lost && row->holds(*child, windy_)) {
+        lose_(row->what, where(element, child, line), "<" + name + ">");
+      }
+    }
+  }
+
+ private:
+  Place where(const sdf::ElementPtr& element, const sdf::ElementPtr& child, int line) const {
+    Place where = place_(child->GetName(), child);
     if (where.line == 0) where.line = line;  // the library tells none of what it does not know
-    where.element = "<" + name + "> of " + element->GetName();
+    where.element = "<" + child->GetName() + "> of " + element->GetName();
     if (element->HasAttribute("name"))
       where.element += " '" + element->GetAttribute("name")->GetAsString() + "'";
-    const auto row = std::ranges::find_if(
-        rows, [&](const Row& r) { return r.parent == element->GetName() && r.name == name; });
-    const bool is_known = element->HasElementDescription(name);
-    if (row != rows.end() ? row->holds(*child, windy_) : !is_known)
-      lose(row != rows.end()                                                       ? row->what
-           : std::ranges::find(moving_elements, name) != std::end(moving_elements) ? "unread"
-                                                                                   : "custom",
-           where, "<" + name + ">");
-    if (is_known && std::ranges::find(closed, name) == closed.end()) check_elements(child, line);
+    return where;
   }
+
+  void check_attributes(const sdf::ElementPtr& element, int line) const {
+    for (std::size_t i = 0; i < element->GetAttributeCount(); ++i) {
+      const sdf::ParamPtr attribute = element->GetAttribute(static_cast<unsigned>(i));
+      if (!attribute->GetSet()) continue;
+      const std::string_view what = loss_of(*element, *attribute);
+      if (what.empty()) continue;
+      Place where = place_(element->GetName(), element);
+      if (where.line == 0) where.line = line;
+      where.element = "attribute '" + attribute->GetKey() + "' of <" + element->GetName() + ">";
+      lose_(std::string(what).c_str(), where, "");
+    }
+  }
+
+  bool windy_;
+  std::function<Place(const std::string&, const sdf::ElementPtr&)> place_;
+  std::function<void(const char*, Place, std::string)> lose_;
+};
+
+}  // namespace
+
+void SdfReader::check_elements(const sdf::ElementPtr& element, int line) {
+  refuse_words(element, line);
+  const Walk walk(
+      windy_,
+      [this](const std::string& name, const sdf::ElementPtr& at) { return place("element", name, at); },
+      [this](const char* what, Place where, std::string detail) {
+        lose(what, std::move(where), std::move(detail));
+      });
+  walk.below(element, "sdf", line);
 }
 
 // The tree has no attribute that the format does not know: the library warns of it.

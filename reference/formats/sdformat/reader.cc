@@ -96,6 +96,8 @@ void SdfReader::read_file(const sdf::ParserConfig& config) {
     for (std::uint64_t i = 1; i < root.WorldCount(); ++i)
       lose("custom", place("world", root.WorldByIndex(i)->Name(), root.WorldByIndex(i)->Element()),
            "a second world");
+    if (root.Model())
+      lose("unread", place("model", root.Model()->Name(), root.Model()->Element()), "beside a world");
     read_world(*root.WorldByIndex(0));
   } else if (root.Model()) {
     lose("assumed", place("model", root.Model()->Name(), root.Model()->Element()), "gravity 9.81 m/s^2");
@@ -111,6 +113,9 @@ void SdfReader::read_world(const sdf::World& world) {
   model_.gravity = vector(world.Gravity());
   windy_ = world.WindLinearVelocity() != ignition::math::Vector3d::Zero;
   if (const sdf::Physics* physics = world.PhysicsDefault()) model_.step = physics->MaxStepSize();
+  for (std::uint64_t i = 0; i < world.PhysicsCount(); ++i)
+    if (const sdf::Physics& physics = *world.PhysicsByIndex(i); &physics != world.PhysicsDefault())
+      lose("solver", place("physics", physics.Name(), physics.Element()), "not the profile of the start");
   for (std::uint64_t i = 0; i < world.ActorCount(); ++i)
     lose("actor", place("actor", world.ActorByIndex(i)->Name(), world.ActorByIndex(i)->Element()));
   for (std::uint64_t i = 0; i < world.LightCount(); ++i)
@@ -131,6 +136,12 @@ void SdfReader::read_plugins(const sdf::ElementPtr& element) {
     const auto name = plugin->Get<std::string>("name"), library = plugin->Get<std::string>("filename");
     lose(leaves_bodies_alone(library, name) ? "plugin" : "plugin_force", place("plugin", name, plugin));
   }
+}
+
+// Its plugins run in the server, where they reach all bodies.
+void SdfReader::lose_sensor(const sdf::Sensor& sensor) {
+  lose("sensor", place("sensor", sensor.Name(), sensor.Element()));
+  read_plugins(sensor.Element());
 }
 
 // Links of a model touch each other only where it says so; nested models belong to the outermost.
@@ -173,9 +184,9 @@ void SdfReader::read_link(const sdf::Link& link, const Pose& frame, const std::s
     if (decay->Get<double>("linear", 0).first != 0 || decay->Get<double>("angular", 0).first != 0)
       lose("free_drag", body.place, "velocity_decay");
   }
-  for (std::uint64_t i = 0; i < link.SensorCount(); ++i)
-    lose("sensor", place("sensor", link.SensorByIndex(i)->Name(), link.SensorByIndex(i)->Element()));
+  for (std::uint64_t i = 0; i < link.SensorCount(); ++i) lose_sensor(*link.SensorByIndex(i));
   if (link.VisualCount() > 0) lose("visual", body.place);
+  for (std::uint64_t i = 0; i < link.VisualCount(); ++i) read_plugins(link.VisualByIndex(i)->Element());
   for (std::uint64_t i = 0; i < link.LightCount(); ++i)
     lose("presentation", place("light", link.LightByIndex(i)->Name(), link.LightByIndex(i)->Element()),
          "light");
@@ -245,8 +256,7 @@ void SdfReader::read_joint(const sdf::Joint& from, const Pose& frame, const std:
     if (const sdf::JointAxis* axis = from.Axis(i);
         axis && (i >= joint.freedoms.size() || joint.freedoms[i].kind == "ball"))
       lose_axis(*axis, names[i], from.Type(), joint.place);
-  for (std::uint64_t i = 0; i < from.SensorCount(); ++i)
-    lose("sensor", place("sensor", from.SensorByIndex(i)->Name(), from.SensorByIndex(i)->Element()));
+  for (std::uint64_t i = 0; i < from.SensorCount(); ++i) lose_sensor(*from.SensorByIndex(i));
   model_.joints.push_back(std::move(joint));
 }
 

@@ -43,6 +43,7 @@ class SdfReader {
   void check_warnings(sdf::ParserConfig);
   void read_joint(const sdf::Joint&, const foreign::Pose& frame, const std::string& scope);
   foreign::Freedom freedom_of(const sdf::JointAxis&, const foreign::Pose& frame, const foreign::Place&);
+  void lose_sensor(const sdf::Sensor&);
   void lose_drive(const sdf::JointAxis&, const foreign::Place&);
   /// What an axis says that acts on no coordinate of its joint.
   void lose_axis(const sdf::JointAxis&, const char* which, sdf::JointType, const foreign::Place&);

@@ -1,5 +1,6 @@
 // Collisions of SDFormat: shapes, and how pairs of them touch as in gz-sim, whose engine is DART: the smaller friction
-// and the product of the restitutions (dart/constraint/ContactSurface.cpp).
+// and the product of the restitutions (dart/constraint/ContactSurface.cpp).  It reads the friction of <ode> and of no other
+// engine (gz-physics, dartsim/src/SDFFeatures.cc, ConstructSdfCollision).
 #include "reference/formats/sdformat/reader.h"
 
 #include "reference/formats/resources/resources.h"
@@ -24,7 +25,7 @@ sdf::ElementPtr below(sdf::ElementPtr element, std::initializer_list<const char*
 }
 
 double number(const sdf::ElementPtr& element, const char* name, double otherwise) {
-  return element ? element->Get<double>(name, otherwise).first : otherwise;
+  return element && element->HasElement(name) ? element->Get<double>(name) : otherwise;
 }
 
 }  // namespace
@@ -92,10 +93,12 @@ SdfReader::Surface SdfReader::surface_of(const sdf::Collision& collision, Own ow
   const sdf::ElementPtr surface = below(collision.Element(), {"surface"});
   const sdf::ElementPtr ode = below(surface, {"friction", "ode"}),
                         bullet = below(surface, {"friction", "bullet"});
-  const double friction = ode ? number(ode, "mu", 1) : number(bullet, "friction", 1);
-  const double second = ode ? number(ode, "mu2", friction) : number(bullet, "friction2", friction);
+  const double friction = number(ode, "mu", 1);
   // Two directions matter only where they differ.
-  if (second != friction && ode && ode->HasElement("mu2")) lose("anisotropic_friction", at);
+  if (number(ode, "mu2", friction) != friction) lose("anisotropic_friction", at);
+  for (const char* name : {"friction", "friction2"})
+    if (const double other = number(bullet, name, friction); other != friction)
+      lose("other_engine", at, std::string("<bullet> ") + name);
   if (number(ode, "slip1", 0) != 0 || number(ode, "slip2", 0) != 0) lose("soft_surface", at, "slip");
   if (const sdf::ElementPtr torsional = below(surface, {"friction", "torsional"});
       torsional && number(torsional, "coefficient", 1) != 0)

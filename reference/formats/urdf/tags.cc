@@ -86,8 +86,8 @@ constexpr std::array known = {
     Attributes{"mesh", {"filename", "scale"}},
 };
 
-// Elements below these are looked at; what is below the others is theirs.
-constexpr std::array<std::string_view, 5> open = {"link", "joint", "inertial", "collision", "geometry"};
+// What is below these is theirs, and is drawn.
+constexpr std::array<std::string_view, 2> drawn = {"material", "visual"};
 
 // "link 'arm'", "gazebo of 'arm'", "<bogus>".
 std::string shown(const TiXmlElement& element) {
@@ -140,15 +140,26 @@ class Walk {
     tags_.losses.push_back({what, {shown(element), "", element.Row()}, std::move(detail)});
   }
 
+  void judge_plugin(const TiXmlElement& plugin) {
+    const char *library = plugin.Attribute("filename"), *own = plugin.Attribute("name");
+    const bool alone = leaves_bodies_alone(library ? library : "", own ? own : "");
+    lose(alone ? "plugin" : "plugin_force", plugin, "");
+  }
+
+  // Of what is not walked, as a sensor: its plugins run in the server, where they reach all bodies.
+  void judge_plugins_below(const TiXmlElement& element) {
+    for (const TiXmlElement* e = element.FirstChildElement(); e; e = e->NextSiblingElement())
+      if (std::string_view(e->Value()) == "plugin")
+        judge_plugin(*e);
+      else
+        judge_plugins_below(*e);
+  }
+
   void take(const TiXmlElement& parent, const TiXmlElement& element) {
     const std::string in = parent.Value(), name = element.Value();
     const std::string of = in == "robot" ? "" : " of " + shown(parent);
     if (name == "gazebo") return below(element);
-    if (name == "plugin") {
-      const char *library = element.Attribute("filename"), *own = element.Attribute("name");
-      const bool alone = leaves_bodies_alone(library ? library : "", own ? own : "");
-      return lose(alone ? "plugin" : "plugin_force", element, "");
-    }
+    if (name == "plugin") return judge_plugin(element);
     for (const Row& row : rows) {
       if (row.parent != in || row.name != name) continue;
       if (name == "axis" && has_no_axis(parent)) lose("unused", element, "<axis>" + of);
@@ -157,12 +168,20 @@ class Walk {
         tags_.inertials[parent.Attribute("name")] = element.Row();
       if (!*row.what) check_attributes(element, of);
       if (name == "limit") check_bounds(element, parent, of);
-      if (std::ranges::find(open, name) != open.end()) below(element);
+      if (!*row.what && std::ranges::find(drawn, name) == drawn.end())
+        below(element);
+      else
+        judge_plugins_below(element);
       return;
     }
-    const bool moves =
-        in == "gazebo" && std::ranges::find(moving_elements, name) != std::end(moving_elements);
-    lose(moves ? "unread" : "custom", element, "<" + name + ">" + of);
+    lose(moves(name) ? "unread" : "custom", element, "<" + name + ">" + of);
+    judge_plugins_below(element);
+  }
+
+  // Where it stands it is not read: of Gazebo, in a wrong place, or a macro from which links and joints would come.
+  static bool moves(std::string_view name) {
+    return std::ranges::find(moving_elements, name) != std::end(moving_elements) || name == "mimic" ||
+           name == "origin" || name.starts_with("xacro:");
   }
 
   Tags& tags_;

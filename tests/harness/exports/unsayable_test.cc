@@ -64,6 +64,19 @@ INSTANTIATE_TEST_SUITE_P(
              "[[joint]]\ntype = \"cylindrical\"\nbody = \"a\"\npoint = [0.0, 1.0, 0.0]\naxis = [0.0, 1.0, "
              "0.0]\n",
              "bad.toml:16:8: SDFormat cannot say 'type' of joint of 'a': it has no cylindrical joint"},
+        Case{"SDFormat",
+             "[[joint]]\ntype = \"rectangular\"\nbody = \"a\"\npoint = [0.0, 1.0, 0.0]\naxis = [0.0, 1.0, "
+             "0.0]\naxis_2 = [1.0, 0.0, 0.0]\n",
+             "bad.toml:16:8: SDFormat cannot say 'type' of joint of 'a': it has no rectangular joint"},
+        Case{"SDFormat",
+             "[[joint]]\ntype = \"offset_universal\"\nbody = \"a\"\npoint = [0.0, 1.0, 0.0]\naxis = [0.0, "
+             "1.0, "
+             "0.0]\naxis_2 = [1.0, 0.0, 0.0]\nlength = 0.1\n",
+             "bad.toml:16:8: SDFormat cannot say 'type' of joint of 'a': it has no offset_universal joint"},
+        Case{"SDFormat",
+             "[[joint]]\ntype = \"gimbal\"\nbody = \"a\"\npoint = [0.0, 1.0, 0.0]\naxis = [0.0, 1.0, "
+             "0.0]\naxis_2 = [1.0, 0.0, 0.0]\nangle = [{damping = 0.1}]\n",
+             "bad.toml:16:8: SDFormat cannot say 'type' of joint of 'a': it has no gimbal joint"},
         Case{"MJCF",
              "[[joint]]\ntype = \"slider\"\nbody = \"a\"\npoint = [0.0, 1.0, 0.0]\naxis = [0.0, 1.0, 0.0]\n"
              "displacement = [{lower = -1.0, upper = 1.0, restitution = 0.5}]\n",

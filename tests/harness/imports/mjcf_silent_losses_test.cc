@@ -50,6 +50,43 @@ TEST(MjcfExclude, OfAPartThatMovesIsRefused) {
   EXPECT_TRUE(outcome.refuses("geom 'palm': surfaces")) << outcome.refusal << outcome.left_out;
 }
 
+// A body that moves freely and hangs on one that moves has no joint in a scene, so that the two touched there.
+TEST(MjcfFreeChild, DoesNotTouchItsParentAsFilterparentSays) {
+  REQUIRE_IMPORT("xml");
+  for (const char* turns :
+       {R"(<joint type="ball"/>)", R"(<joint axis="0 0 1"/><joint axis="0 1 0"/><joint axis="1 0 0"/>)"})
+    for (const bool filtered : {true, false}) {
+      const Outcome outcome = import_mjcf(
+          std::string(filtered ? "" : R"(<option><flag filterparent="disable"/></option>)") +
+          R"(<worldbody><geom type="plane" size="0 0 1"/><body name="parent" pos="0 0 1"><freejoint/><geom size=".1"/>
+          <body name="part" pos=".3 0 0"><geom size=".1"/></body>
+          <body name="child" pos="0 0 .5"><joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 1 0"/>
+            <joint type="slide" axis="0 0 1"/>)" +
+          turns + R"(<geom size=".1"/></body></body>
+          <body name="other" pos="0 0 3"><freejoint/><geom size=".1"/></body></worldbody>)");
+      ASSERT_EQ(outcome.refusal, "");
+      const core::Scene& scene = outcome.scene();
+      ASSERT_TRUE(scene.joints.empty());
+      const core::ContactRules rules(scene);
+      const int parent = number_of(scene, "parent"), child = number_of(scene, "child"),
+                other = number_of(scene, "other");
+      EXPECT_EQ(rules.bodies(parent, child), !filtered) << turns;
+      EXPECT_TRUE(rules.bodies(parent, other) && rules.bodies(child, other)) << turns;
+      EXPECT_TRUE(rules.body_and_plane(parent, 0) && rules.body_and_plane(child, 0)) << turns;
+    }
+}
+
+// Between sites its torque scale was not read, and it held the direction too.
+TEST(MjcfWeld, OfSitesWithoutATorqueIsABall) {
+  REQUIRE_IMPORT("xml");
+  const Outcome outcome = import_mjcf(R"(<worldbody><body name="a" pos="0 0 1"><freejoint/><geom size=".1"/>
+    <site name="s" pos=".2 0 0" euler="30 0 0"/></body><body name="b" pos=".5 0 1"><freejoint/><geom size=".1"/>
+    <site name="t" pos="-.3 0 0"/></body></worldbody>
+    <equality><weld site1="s" site2="t" torquescale="0"/></equality>)");
+  ASSERT_EQ(outcome.refusal, "");
+  EXPECT_EQ(outcome.scene().joints.at(0).type, core::JointType::ball);
+}
+
 // The keyframe that gave the start was told among the losses, and --strict refused the model for it.
 TEST(MjcfKeyframe, ThatGivesTheStartIsNoLoss) {
   REQUIRE_IMPORT("xml");
@@ -139,13 +176,28 @@ TEST_P(MjcfUntold, LossIsTold) {
 
 INSTANTIATE_TEST_SUITE_P(
     Parts, MjcfUntold,
-    testing::Values(Silent{"MarginOfALimit",
-                           R"(<compiler angle="radian"/><worldbody><body>)"
-                           R"(<joint name="j" axis="0 1 0" range="-1 .5" limited="true" margin="0.2"/>)" BALL,
-                           "joint 'j': limit_margin (0.2 rad)"},
-                    Silent{"Sleep",
-                           R"(<option><flag sleep="enable"/></option><worldbody><body><freejoint/>)" BALL,
-                           "option: sleep"}),
+    testing::Values(
+        Silent{"MarginOfALimit",
+               R"(<compiler angle="radian"/><worldbody><body>)"
+               R"(<joint name="j" axis="0 1 0" range="-1 .5" limited="true" margin="0.2"/>)" BALL,
+               "joint 'j': limit_margin (0.2 rad)"},
+        Silent{"Solver",
+               R"(<option integrator="RK4" noslip_iterations="3"/><worldbody><body><freejoint/>)" BALL,
+               "option: solver (integrator)"},
+        Silent{"SolverFlag",
+               R"(<option><flag refsafe="disable"/></option><worldbody><body><freejoint/>)" BALL,
+               "option: solver (mjDSBL_REFSAFE)"},
+        Silent{"DisabledActuation",
+               R"(<option><flag actuation="disable"/></option>)" HINGE
+               R"(<actuator><motor name="m" joint="j"/></actuator>)",
+               "actuator 'm': actuator (actuation is disabled)"},
+        Silent{
+            "DisabledContact",
+            R"(<option><flag contact="disable"/></option><worldbody><geom name="floor" type="plane" size="0 0 1"/>)"
+            R"(<body><freejoint/>)" BALL,
+            "geom 'floor' and 1 more: visual (contacts are disabled)"},
+        Silent{"Sleep", R"(<option><flag sleep="enable"/></option><worldbody><body><freejoint/>)" BALL,
+               "option: sleep"}),
     [](const auto& row) { return std::string(row.param.name); });
 
 // Coordinates that run against those of the scene's joint: a target of -0 stood in the scenario, which was refused for it.

@@ -2,6 +2,11 @@
 #include "tests/harness/imports/inline_model.h"
 
 #include "harness/core/collision_filter.h"
+#include "harness/imports/losses.h"
+
+#include <cstdlib>
+#include <set>
+#include <utility>
 
 namespace cylon::imports {
 namespace {
@@ -23,6 +28,11 @@ std::string link(const std::string& name, const std::string& more = "", double z
 std::string ball(const std::string& contact = "") {
   return "<collision name='c'><geometry><sphere><radius>.1</radius></sphere></geometry><surface><contact>" +
          contact + "</contact></surface></collision>";
+}
+
+std::string surface(const std::string& what) {
+  return "<collision name='c'><geometry><sphere><radius>.1</radius></sphere></geometry><surface>" + what +
+         "</surface></collision>";
 }
 
 // A model that is the root of its file ignored placement_frame; in a world it did not.
@@ -98,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(
         Silent{"Motor", hinge("", "<physics><ode><max_force>3</max_force></ode></physics>"),
                "<max_force> of ode: actuator_force", true},
         Silent{"Solver", hinge("", "<physics><ode><cfm_damping>1</cfm_damping></ode></physics>"),
-               "<ode> of physics: solver", false},
+               "<cfm_damping> of ode: solver", false},
         Silent{"Unknown", model("<magic>3</magic>" + link("a")), "sdf:3: <magic> of model 'm': custom",
                false},
         Silent{"UnknownInAnAxis", hinge("<dynamics><frction>3</frction></dynamics>"),
@@ -156,11 +166,177 @@ INSTANTIATE_TEST_SUITE_P(
         Silent{"Wheels", model(link("a") + "<plugin filename='gz-sim' name='gz::sim::systems::DiffDrive'/>"),
                "plugin 'gz::sim::systems::DiffDrive': plugin_force", true},
         Silent{"Broadcaster",
-               model(link("a") + "<plugin filename='gz-sim' name='gz::sim::SceneBroadcaster'/>"),
-               "plugin 'gz::sim::SceneBroadcaster': plugin", false},
+               model(link("a") + "<plugin filename='gz-sim' name='gz::sim::systems::SceneBroadcaster'/>"),
+               "plugin 'gz::sim::systems::SceneBroadcaster': plugin", false},
+        // These were known to the library, had no row, and vanished.
+        Silent{"BulletFriction",
+               model(link("a", surface("<friction><bullet><friction>.3</friction></bullet></friction>"))),
+               "collision 'm::a::c': other_engine (<bullet> friction)", false},
+        Silent{"BulletSecondFriction",
+               model(link("a", surface("<friction><ode><mu>.3</mu></ode><bullet><friction>.3</friction>"
+                                       "<friction2>.4</friction2></bullet></friction>"))),
+               "collision 'm::a::c': other_engine (<bullet> friction2)", false},
+        Silent{"RollingFriction",
+               model(link(
+                   "a",
+                   surface("<friction><bullet><rolling_friction>.1</rolling_friction></bullet></friction>"))),
+               "<rolling_friction> of bullet: other_engine", false},
+        Silent{"FrictionDirection",
+               model(link("a", surface("<friction><ode><fdir1>1 0 0</fdir1></ode></friction>"))),
+               "<fdir1> of ode: soft_surface", false},
+        Silent{"BounceThreshold", model(link("a", surface("<bounce><threshold>.01</threshold></bounce>"))),
+               "<threshold> of bounce: other_engine", false},
+        Silent{"PoissonsRatio", model(link("a", ball("<poissons_ratio>.4</poissons_ratio>"))),
+               "<poissons_ratio> of contact: soft_surface", false},
+        Silent{"ElasticModulus", model(link("a", ball("<elastic_modulus>1e8</elastic_modulus>"))),
+               "<elastic_modulus> of contact: soft_surface", false},
+        Silent{"LimitBounce", hinge("", "<physics><ode><bounce>.5</bounce></ode></physics>"),
+               "<bounce> of ode: other_engine", false},
+        Silent{"MotorSpeed", hinge("", "<physics><ode><velocity>3</velocity></ode></physics>"),
+               "<velocity> of ode: other_engine", false},
+        Silent{"Suspension",
+               hinge("", "<physics><ode><suspension><cfm>.1</cfm></suspension></ode></physics>"),
+               "<cfm> of suspension: other_engine", false},
+        Silent{"LimitErp", hinge("", "<physics><ode><limit><erp>.5</erp></limit></ode></physics>"),
+               "<erp> of limit: solver", false},
+        Silent{"AutoDisable", model("<allow_auto_disable>true</allow_auto_disable>" + link("a")),
+               "<allow_auto_disable> of model 'm': sleep", false},
+        Silent{"ThreadPitch", hinge("", "<thread_pitch>3</thread_pitch>"),
+               "<thread_pitch> of joint 'j': unused", false},
+        Silent{"Gui", "<gui><camera name='c'/></gui>" + model(link("a")), "<gui> of world 'w': presentation",
+               false},
+        Silent{"Scene", "<scene><grid>false</grid></scene>" + model(link("a")),
+               "<scene> of world 'w': presentation", false},
+        Silent{"MagneticField", "<magnetic_field>0 1 0</magnetic_field>" + model(link("a")),
+               "<magnetic_field> of world 'w': sensor", false},
+        Silent{"SecondPhysics",
+               "<physics name='p' type='ode'/><physics name='q' "
+               "type='ode'><max_step_size>.1</max_step_size></physics>" +
+                   model(link("a")),
+               "physics 'q': solver (not the profile of the start)", false},
+        Silent{"EngineOfPhysics", "<physics name='p' type='simbody'/>" + model(link("a")),
+               "attribute 'type' of <physics>: solver", false},
+        // A shape of a newer release was unknown, and the link had no surface.
+        Silent{
+            "Cone",
+            model(link(
+                "a", "<collision name='c'><geometry><cone><radius>1</radius></cone></geometry></collision>")),
+            "<cone> of geometry: shape", true},
+        Silent{"UnknownShape",
+               model(link("a", "<collision name='c'><geometry><torus/></geometry></collision>")),
+               "<torus> of geometry: unread", true},
+        // They are in the server, where they can push.
+        Silent{
+            "PluginOfASensor",
+            model(link("a",
+                       "<sensor name='s' type='contact'><plugin name='p' filename='libPush.so'/></sensor>")),
+            "plugin 'p': plugin_force", true},
+        Silent{"PluginOfAVisual",
+               model(link("a",
+                          "<visual name='v'><geometry><sphere><radius>1</radius></sphere></geometry>"
+                          "<plugin name='p' filename='libPush.so'/></visual>")),
+               "plugin 'p': plugin_force", true},
+        // Their names held "range", "contact", "label" and "camera".
+        Silent{"ArrangeForces", model(link("a") + "<plugin filename='libArrangeForces.so' name='p'/>"),
+               "plugin 'p': plugin_force", true},
+        Silent{"ContactForce", model(link("a") + "<plugin filename='libContactForcePlugin.so' name='p'/>"),
+               "plugin 'p': plugin_force", true},
+        Silent{"ClassOfOthers", model(link("a") + "<plugin filename='gz-sim' name='other::systems::Label'/>"),
+               "plugin 'other::systems::Label': plugin_force", true},
+        Silent{"SystemOfOthers",
+               model(link("a") + "<plugin filename='libgz-sim-camera-push-system.so' name='p'/>"),
+               "plugin 'p': plugin_force", true},
+        Silent{"LibraryOfARelease",
+               model(link("a") + "<plugin filename='libignition-gazebo6-imu-system.so' name='p'/>"),
+               "plugin 'p': plugin", false},
+        Silent{"LibraryOfClassic", model(link("a") + "<plugin filename='libImuSensorPlugin.so' name='p'/>"),
+               "plugin 'p': plugin", false},
         Silent{"CategoryBits", model(link("a", ball("<category_bitmask>2</category_bitmask>"))),
                "<category_bitmask> of contact: unread", true}),
     [](const auto& row) { return std::string(row.param.name); });
+
+// Every element and attribute that the library knows is read, told or lost by a row, so that a newer release brings no
+// silent one; and a row that names no element is a mistake.
+TEST(SdfElements, OfTheLibraryAllHaveARow) {
+  REQUIRE_IMPORT("sdf");
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "elements").string();
+  const std::string program = (std::filesystem::path(binary_dir) / format_of("m.sdf")->program).string();
+  ASSERT_EQ(std::system(("'" + program + "' --elements > '" + file + "'").c_str()), 0);
+  std::ifstream in(file);
+  std::size_t lines = 0;
+  std::set<std::string> said;
+  for (std::string line; std::getline(in, line); ++lines) {
+    EXPECT_FALSE(line.ends_with(": no row") || line.ends_with(": no element")) << line;
+    if (const std::size_t lost = line.find(": lost "); lost != std::string::npos) {
+      EXPECT_NO_THROW(loss_kind(line.substr(lost + 7))) << line;
+    }
+    said.insert(line);
+  }
+  EXPECT_GT(lines, 150u);
+  for (const char* line : {"surface/friction/ode/mu: read", "link/visual: told",
+                           "surface/friction/bullet/rolling_friction: lost other_engine",
+                           "model@canonical_link: read", "world/physics@type: lost solver"})
+    EXPECT_TRUE(said.contains(line)) << line;
+}
+
+// Of a file with both the world alone was read.
+TEST(SdfRoot, WithAModelBesideAWorldIsRefused) {
+  REQUIRE_IMPORT("sdf");
+  const Outcome outcome =
+      import_text("<sdf version='1.9'>\n<world name='w'>" + model(link("a")) + "</world>\n" +
+                      "<model name='beside'>" + link("b") + "</model></sdf>",
+                  "sdf");
+  EXPECT_TRUE(outcome.refuses("model 'beside': unread (beside a world)")) << outcome.refusal;
+}
+
+// The library reads five elements of <include> and drops the others.
+TEST(SdfInclude, TellsWhatTheLibraryDropsOfIt) {
+  REQUIRE_IMPORT("sdf");
+  const TemporaryFolder folder;
+  const std::string part = (folder.path() / "part.sdf").string();
+  std::ofstream(part) << "<sdf version='1.9'>" + model(link("a")) + "</sdf>";
+  const std::string include = "<include><uri>file://" + part + "</uri><name>n</name><pose>0 0 1 0 0 0</pose>";
+  const Outcome known = import_world(include + "</include>"),
+                unknown = import_world(include + "<self_collide>1</self_collide></include>"),
+                moving = import_world(include + "<gravity>0</gravity></include>");
+  EXPECT_EQ(known.refusal + known.left_out, "");
+  EXPECT_TRUE(unknown.leaves_out("<self_collide> of include: custom")) << unknown.left_out << unknown.refusal;
+  EXPECT_TRUE(moving.refuses("<gravity> of include: unread")) << moving.refusal;
+}
+
+// What a file states as it is without it is no loss, and neither is what a scene does.
+TEST(SdfElements, StatedAsTheyAreWithoutItAreNoLoss) {
+  REQUIRE_IMPORT("sdf");
+  const Outcome outcome = import_text(
+      "<sdf version='1.9'><world name='w'><physics name='p' "
+      "type='ignored'><real_time_factor>1.00</real_time_factor>"
+      "<max_contacts>20</max_contacts></physics>" +
+          model("<allow_auto_disable>false</allow_auto_disable>" +
+                link("a",
+                     surface("<bounce><threshold>100000.0</threshold></bounce><friction><ode><mu>.3</mu>"
+                             "<fdir1>0 0 0</fdir1></ode><bullet><friction>.3</friction></bullet></friction>"
+                             "<contact><poissons_ratio>0.30</poissons_ratio></contact>"))) +
+          "</world></sdf>",
+      "sdf", {.strict = true});
+  EXPECT_EQ(outcome.refusal, "");
+}
+
+// DART, the engine of gz-sim, reads the friction of <ode>; that of <bullet> was taken.
+TEST(SdfFriction, IsThatOfOdeAsDartReadsIt) {
+  REQUIRE_IMPORT("sdf");
+  const std::string floor =
+      "<model name='n'><static>1</static><link name='f'><collision name='c'><geometry><plane/>"
+      "</geometry></collision></link></model>";
+  const std::string bullet = "<bullet><friction>.2</friction></bullet>";
+  for (const auto& [friction, says] :
+       {std::pair<std::string, double>{bullet, 1}, {"<ode><mu>.4</mu></ode>" + bullet, .4}}) {
+    const Outcome outcome =
+        import_world(floor + model(link("a", surface("<friction>" + friction + "</friction>"))));
+    ASSERT_EQ(outcome.refusal, "");
+    EXPECT_EQ(core::material_of(outcome.scene(), {.body = 0, .plane = 0})->friction, says);
+  }
+}
 
 // Without wind, and without an enabled body, nothing is lost.
 TEST(SdfWind, IsNoLossWhereItMovesNothing) {

@@ -134,8 +134,29 @@ INSTANTIATE_TEST_SUITE_P(
                "<limit>: assumed (lower = 0 of joint 'j')", false},
         Silent{"NoUpperBound", two + joint("prismatic", "<limit lower='-1' effort='3' velocity='3'/>"),
                "<limit>: assumed (upper = 0 of joint 'j')", false},
-        Silent{"GazeboOtherPlugin", hinge + "<gazebo><plugin name='p' filename='libimu.so'/></gazebo>",
-               "plugin 'p': plugin", false}),
+        Silent{"GazeboOtherPlugin",
+               hinge + "<gazebo><plugin name='p' filename='libgazebo_ros_imu.so'/></gazebo>",
+               "plugin 'p': plugin", false},
+        // It passed by a part of its name.
+        Silent{"GazeboUnknownPlugin", hinge + "<gazebo><plugin name='p' filename='libimu.so'/></gazebo>",
+               "plugin 'p': plugin_force", true},
+        // What is in a sensor was not looked at.
+        Silent{"PluginOfASensor",
+               hinge + "<gazebo reference='l'><sensor name='s' type='contact'><plugin name='p' "
+                       "filename='libPush.so'/></sensor></gazebo>",
+               "plugin 'p': plugin_force", true},
+        // A part of a robot in a wrong place, or that a macro would make, was left out as unknown.
+        Silent{"MassOfALink", link("base", "1", "<mass value='5'/>"),
+               "<mass>: unread (<mass> of link 'base')", true},
+        Silent{"DampingOfAJoint", two + joint("continuous", "<damping value='5'/>"),
+               "<damping>: unread (<damping> of joint 'j')", true},
+        Silent{"OriginOfALink", link("base", "1", "<origin xyz='0 0 1'/>"),
+               "<origin>: unread (<origin> of link 'base')", true},
+        // What is below a limit or dynamics was not looked at.
+        Silent{"BelowDynamics", two + joint("continuous", "<dynamics damping='1'><spring k='3'/></dynamics>"),
+               "<spring>: custom (<spring> of <dynamics>)", false},
+        Silent{"Macro", hinge + "<xacro:arm xmlns:xacro='http://ros.org/wiki/xacro' parent='l'/>",
+               "<xacro:arm>: unread (<xacro:arm>)", true}),
     [](const auto& row) { return std::string(row.param.name); });
 
 TEST(UrdfPlain, LosesOnlyWhatTheFormatDoesNotSay) {
