@@ -1,6 +1,7 @@
 // A lattice of bodies dropped into an open box (friction 0.5, no restitution, steps of 1/60 s for 5 s): the
-// in-house engine, Bullet and ODE's QuickStep through the same door, one after another in one run, no engine with
-// bodies that sleep.  A time never travels without its error: every row says how deep the settled pile overlaps,
+// in-house engine, Bullet and ODE's QuickStep through the same door, one after another in one run: first with no
+// bodies that sleep in any engine, then with those that sleep in the engines that have an option for it (ODE's worker has
+// none).  A time never travels without its error: every row says how deep the settled pile overlaps,
 // and how far its bodies move in the last half second (the mean of all).  The bodies are cubes of 1 m, or `mixed`:
 // spheres, cubes, capsules and cylinders in turn.
 //   boxes_bench [mixed] [COUNT…]      100 and 1000 otherwise; 10000 takes about ten minutes
@@ -70,7 +71,7 @@ Row row(const std::string& id, const core::Scene& scene, const std::string& dire
   const bench::Touching touching = bench::touching(scene, states.back(), 1e-3);
   const Row result{id, 1e9 * recording->cpu_seconds / body_steps, touching.deepest,
                    mean_distance(states.back(), states[states.size() - 2]) / (step * last)};
-  fmt::print("{:>7}  {:<30} {:>10.0f} {:>12.3g} {:>12.3g} {:>9}\n", scene.bodies.size(), id, result.ns,
+  fmt::print("{:>7}  {:<38} {:>10.0f} {:>12.3g} {:>12.3g} {:>9}\n", scene.bodies.size(), id, result.ns,
              1e3 * result.overlap, 1e3 * result.creep, touching.pairs);
   return result;
 }
@@ -107,12 +108,13 @@ int main(int count, char** arguments) {
   const bool mixed = count > 1 && arguments[1] == std::string_view("mixed");
   for (int i = mixed ? 2 : 1; i < count; ++i) sizes.push_back(std::stoll(arguments[i]));
   if (sizes.empty()) sizes = {100, 1000};
-  fmt::print("{:>7}  {:<30} {:>10} {:>12} {:>12} {:>9}\n", mixed ? "bodies" : "cubes", "engine", "ns/(b*s)",
+  fmt::print("{:>7}  {:<38} {:>10} {:>12} {:>12} {:>9}\n", mixed ? "bodies" : "cubes", "engine", "ns/(b*s)",
              "overlap mm", "creep mm/s", "contacts");
   for (const std::int64_t size : sizes) {
     const core::Scene scene = dropped(size, mixed);
     std::vector<Row> rows;
-    for (const char* id : {"in-house", "in-house/sweeps=80", "in-house-float", "bullet/iterations=10",
+    for (const char* id : {"in-house/sleeping=off", "in-house/sleeping=off,sweeps=80",
+                           "in-house-float/sleeping=off", "bullet/iterations=10",
                            "bullet-float/iterations=10", "bullet/path=as-expert", "ode-quick/iterations=10"})
       rows.push_back(row(id, scene, directory));
     const std::span all(rows), in_double = all.first(2), in_float = all.subspan(2, 1);
@@ -121,5 +123,8 @@ int main(int count, char** arguments) {
     verdict(in_float, rows[4], wanted);
     verdict(in_double, rows[5], wanted);
     verdict(all.first(3), rows[6], 0.4);
+    for (const char* id : {"in-house", "in-house/sweeps=80", "in-house-float",
+                           "bullet/iterations=10,sleeping=on", "bullet-float/iterations=10,sleeping=on"})
+      row(id, scene, directory);
   }
 }

@@ -64,6 +64,8 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
       std::fill_n(y_.begin(), system_.size(), std::numeric_limits<Real>::quiet_NaN());
   }
 
+  std::int64_t operations() const override { return Base::operations_of(integrator_.evaluations()); }
+
   std::vector<Diagnostic> diagnostics() const override {
     DiagnosticLog log;
     if (ending_ != Ending::done)

@@ -299,6 +299,13 @@ void FreeBodies::advance(std::int64_t steps) {
       run(kind, part * grain, std::min(blocks, (part + 1) * grain), steps);
     });
   }
+  steps_ += steps;
+}
+
+std::int64_t FreeBodies::operations() const {
+  std::size_t blocks = points_.size();
+  for (const auto& spins : spins_) blocks += spins.size();
+  return steps_ * static_cast<std::int64_t>(blocks);
 }
 
 void FreeBodies::read(std::vector<Motion>& motions) const {

@@ -47,6 +47,8 @@ class FreeBodies final : public Stepper {
   void advance(std::int64_t steps) override;
   void read(std::vector<Motion>&) const override;
   void read_turns(std::vector<Real>& turns) const override { turns.clear(); }
+  /// One for each block in each step.
+  std::int64_t operations() const override;
 
   std::size_t size() const { return places_.size(); }
   /// Held for all bodies [bytes].
@@ -95,6 +97,7 @@ class FreeBodies final : public Stepper {
   std::vector<Rest> rests_;
   std::vector<Flight> points_;
   std::vector<Spin> spins_[kinds];
+  std::int64_t steps_ = 0;
 };
 
 }  // namespace cylon::engine

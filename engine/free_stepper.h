@@ -18,6 +18,8 @@ class FreeStepper final : public Stepper {
   void step() override { ++steps_; }
   void read(std::vector<Motion>&) const override;
   void read_turns(std::vector<Real>& turns) const override { turns.clear(); }
+  /// Of reading each step.
+  std::int64_t operations() const override { return steps_ * static_cast<std::int64_t>(bodies_.size()); }
 
  private:
   std::vector<Body> bodies_;

@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <thread>
 #include <utility>
 
 namespace cylon::engine {
@@ -108,9 +109,16 @@ std::unique_ptr<Stepper> make_events(const Model& model, const Plan& plan, const
                                            step_at(start, options));
 }
 
+// More than the machine has change nothing, and oneTBB complains of them on stderr.
+int threads_of(const Options& options) {
+  return std::min(options.threads, static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+}
+
 PileSettings pile_settings(const Options& options) {
   PileSettings settings;
   if (options.sweeps > 0) settings.substeps = options.sweeps;
+  settings.threads = threads_of(options);
+  settings.rest = options.sleeping;
   return settings;
 }
 
@@ -123,7 +131,7 @@ std::unique_ptr<Stepper> make_stepper(const Model& model, const Options& options
     case Path::exact:
       return std::make_unique<FreeStepper>(model, options.dt);
     case Path::free:
-      return std::make_unique<FreeBodies>(model, *plan.integrator, options.dt);
+      return std::make_unique<FreeBodies>(model, *plan.integrator, options.dt, threads_of(options));
     case Path::modes:
       return std::make_unique<ModesStepper>(model, options.dt);
     case Path::points:

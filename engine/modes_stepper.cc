@@ -1,5 +1,7 @@
 #include "engine/modes_stepper.h"
 
+#include "engine/operations.h"
+
 #include <cmath>
 
 namespace cylon::engine {
@@ -17,6 +19,15 @@ Swing swing(double x, double t) { return {x == 0 ? t : std::sin(x * t) / x, std:
 
 ModesStepper::ModesStepper(const Model& model, Time dt)
     : bodies_(model.bodies), start_(model.motions), groups_(normal_modes(model).groups), dt_(dt) {}
+
+std::int64_t ModesStepper::operations() const {
+  std::int64_t sample = 0;
+  for (const ModeGroup& group : groups_) {
+    const auto modes = static_cast<std::int64_t>(group.frequencies.size());
+    sample += modes * (static_cast<std::int64_t>(group.forces.size()) + row_operations(6 * modes));
+  }
+  return steps_ * sample;
+}
 
 // Displacements and changes of momentum, so that the start is kept to the bit:
 //   q     = v S_w(t)           + f S_c S_d/2

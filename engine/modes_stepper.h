@@ -20,6 +20,8 @@ class ModesStepper final : public Stepper {
   void advance(std::int64_t n) override { steps_ += n; }
   void read(std::vector<Motion>&) const override;
   void read_turns(std::vector<Real>& turns) const override { turns.clear(); }
+  /// Of reading each step.
+  std::int64_t operations() const override;
 
  private:
   std::vector<Body> bodies_;

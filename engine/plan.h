@@ -19,6 +19,9 @@ struct Options {
                        ///< of each step; 0: default_tolerance.
   std::string path;    ///< "events" or "stepping"; "": by the plan's rule.
   int sweeps = 0;      ///< stepping: sweeps over the contacts in a step; 0: PileSettings' own.
+  int threads =
+      1;  ///< Of piles in steps and of many free bodies, with the same bits; 0: as many as the machine has.
+  bool sleeping = true;      ///< stepping: what has come to rest keeps its place (PileSettings::rest).
   bool constraints = false;  ///< Keep all joints as constraints, in no reduced coordinates.
   bool full = false;         ///< Run every stage, needed or not.
   bool account = false;      ///< Integrate the work of each force.

@@ -103,7 +103,7 @@ void Run::hand_over() {
   stepper_->keep_contacts(keep_contacts_);
   stepped_ = plan.path == Path::stepping;
   log_.note(DiagnosticKind::handed_over, start, {}, {},
-            (by_events ? "by events: " : "in fixed first-order steps: ") + from.reason);
+            (by_events ? "by events: " : "in fixed steps: ") + from.reason);
   now_ = island_of(plan);
   if (!by_events) impacts_.clear();  // the whole step again
 }
@@ -118,11 +118,13 @@ std::vector<Diagnostic> Run::diagnostics_of_stepper() const {
 
 std::vector<Diagnostic> Run::diagnostics() const {
   DiagnosticLog log = log_;
+  IslandName island = now_;
+  if (const std::optional<int> order = stepper_->order_so_far()) island.order = *order;
   if (!options_.path.empty() && !can_touch(*model_))
     log.note(DiagnosticKind::path_not_taken, start_, {}, {}, options_.path);
   if (plan_.path == Path::stepping && options_.integrator == "auto") {
     std::ostringstream how;
-    how << "fixed steps of order " << plan_.order << " in dt = " << options_.dt << " s";
+    how << "fixed steps of order " << island.order << " in dt = " << options_.dt << " s";
     if (options_.tolerance > 0)
       log.note(DiagnosticKind::tolerance_not_kept, start_, static_cast<double>(options_.tolerance), {},
                how.str());
@@ -131,7 +133,7 @@ std::vector<Diagnostic> Run::diagnostics() const {
   }
   std::vector<Diagnostic> all = log.all();
   for (Diagnostic& d : diagnostics_of_stepper()) all.push_back(std::move(d));
-  for (Diagnostic& d : all) d.island = now_;
+  for (Diagnostic& d : all) d.island = island;
   return all;
 }
 

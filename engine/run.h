@@ -31,7 +31,7 @@ class Run {
   Time time() const { return static_cast<Time>(steps_) * options_.dt; }
   const Plan& plan() const { return plan_; }
 
-  /// Whether the motion goes on in fixed first-order steps now.
+  /// Whether the motion goes on in fixed steps with impulses now.
   bool is_stepped() const { return stepped_; }
 
   /// The motion now, of centres of mass.

@@ -72,9 +72,12 @@ class Stepper {
   /// accounted.
   virtual const Real* works() const { return nullptr; }
 
-  /// Work done so far, in operations of the computer to a factor of a few: the same for the same input,
-  /// whatever the machine.  0: not counted.
-  virtual std::int64_t operations() const { return 0; }
+  /// Work done so far, in operations of the computer to a factor of a few (engine/operations.h): the same for
+  /// the same input, whatever the machine.  Grows with every step.
+  virtual std::int64_t operations() const = 0;
+
+  /// The order in dt of all steps so far, where what happens in them decides it; else nothing: it is the plan's.
+  virtual std::optional<int> order_so_far() const { return std::nullopt; }
 
   /// Whether a part of the run so far went in a way that no smaller tolerance makes better.
   virtual bool gave_up() const { return false; }

@@ -1,6 +1,7 @@
 // What steppers of a System have in common: the state that is shown, and how it is read.
 #pragma once
 
+#include "engine/operations.h"
 #include "engine/stepper.h"
 #include "engine/system.h"
 
@@ -16,7 +17,12 @@ template <System S, class Read>
 class SystemStepper : public Stepper {
  public:
   SystemStepper(S system, std::vector<Real> initial, Time dt, Read read, std::int64_t first)
-      : system_(std::move(system)), y_(std::move(initial)), dt_(dt), steps_(first), read_(std::move(read)) {}
+      : system_(std::move(system)),
+        y_(std::move(initial)),
+        dt_(dt),
+        first_(first),
+        steps_(first),
+        read_(std::move(read)) {}
 
   void read(std::vector<Motion>& motions) const final { read_(system_, y_.data(), motions); }
   void read_turns(std::vector<Real>& turns) const final {
@@ -39,10 +45,15 @@ class SystemStepper : public Stepper {
   }
 
  protected:
+  /// Of so many evaluations of the forces.
+  std::int64_t operations_of(std::int64_t evaluations) const {
+    return rate_operations(evaluations, static_cast<std::int64_t>(system_.size()));
+  }
+
   S system_;
   std::vector<Real> y_;
   Time dt_;
-  std::int64_t steps_;
+  std::int64_t first_, steps_;
 
  private:
   Read read_;

@@ -263,6 +263,7 @@ void World::begin_anew(const std::vector<Motion>& motions) {
   for (std::size_t k = 0; k < turns.size(); ++k) model.forces.coordinate_laws[k].at.start = turns[k];
   Options options = options_;
   options.force = true;  // whether the numbers are fine enough was decided at t = 0
+  end_run(islands_.front());
   islands_.front().run =
       std::make_unique<Run>(std::make_shared<const Model>(std::move(model)), options, steps_);
   islands_.front().run->keep_contacts(keep_contacts_);
@@ -337,7 +338,7 @@ std::string World::named(const Island& island) const {
 }
 
 std::int64_t World::operations() const {
-  std::int64_t sum = 0;
+  std::int64_t sum = spent_;
   for (const Island& island : islands_) sum += island.run->operations();
   return sum;
 }

@@ -75,7 +75,7 @@ class World {
   /// accounted.
   const Real* works() const { return whole() ? islands_[0].run->works() : nullptr; }
 
-  /// Work done so far by the islands that there are (Stepper::operations()).
+  /// Work done so far, by islands that have ended too (Stepper::operations()).
   std::int64_t operations() const;
 
   /// What a user must know of the run so far, of each island and of those that have ended; at most
@@ -117,6 +117,7 @@ class World {
   bool merge();
   bool part();
   void leave(std::size_t cluster);
+  void end_run(Island&);
   void forget(const std::vector<std::size_t>& clusters);
   void drop_empty();
 
@@ -150,7 +151,7 @@ class World {
   std::vector<std::size_t> movable_;  // bodies that are not locked
   std::vector<Impact> impacts_;
   std::vector<Contact> contacts_;
-  std::int64_t steps_ = 0;
+  std::int64_t steps_ = 0, spent_ = 0;  // spent_: operations of runs that have ended
   bool keep_contacts_ = false;
   std::vector<Motion> last_;  // at the start of the last step, where contacts are kept and joints hold
 };

@@ -140,14 +140,19 @@ void World::leave(std::size_t cluster) {
   if (!island.run) return;
   if (!island.flies) {
     note_end(island);
-    island.run.reset();
+    end_run(island);
     return;
   }
   const int body = interactions_->clusters()[cluster].bodies.front();
   island.left.resize(island.bodies.size(), 0);
   for (std::size_t i = 0; i < island.bodies.size(); ++i) island.left[i] |= island.bodies[i] == body;
   std::erase(island.clusters, cluster);
-  if (island.clusters.empty()) island.run.reset();
+  if (island.clusters.empty()) end_run(island);
+}
+
+void World::end_run(Island& island) {
+  spent_ += island.run->operations();
+  island.run.reset();
 }
 
 // What these clusters touched in the last step, which is made again.

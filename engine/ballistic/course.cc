@@ -2,6 +2,7 @@
 
 #include "engine/ballistic/encounter.h"
 #include "engine/ballistic/scene.h"
+#include "engine/operations.h"
 
 namespace cylon::engine::ballistic {
 
@@ -76,6 +77,7 @@ void Course::run_until(Time end) {
     const Time time = queue_.key(body).time;
     if (!(time <= end)) break;
     now_ = time;
+    ++events_;
     const Next next = next_[body];
     if (crossings_[body].time < next.time) {
       cross(body);
@@ -91,6 +93,11 @@ void Course::run_until(Time end) {
     }
   }
   if (!handover_) now_ = end;
+}
+
+// An event asks the bodies in the cells around, a step looks at all.
+std::int64_t Course::operations() const {
+  return steps_ * static_cast<std::int64_t>(flights_.size()) + sweep_operations(events_);
 }
 
 void Course::renewed(std::size_t body) {

@@ -21,6 +21,7 @@ class Course final : public Ballistic {
   const std::vector<Impact>& impacts() const override { return impacts_; }
   std::vector<Diagnostic> diagnostics() const override { return log_.all(); }
   const std::optional<Handover>& handover() const override { return handover_; }
+  std::int64_t operations() const override;
 
  private:
   // The next thing that happens to a body: with a partner (>= 0), to its slip, or at a plane.
@@ -105,7 +106,7 @@ class Course final : public Ballistic {
 
   Model model_;
   Time dt_, now_ = 0;
-  std::int64_t steps_ = 0;
+  std::int64_t steps_ = 0, events_ = 0;
   bool starting_ = true;
   const bool weightless_;  // no gravity: nothing ever presses, and all accelerations are zero
 

@@ -11,6 +11,7 @@
 #pragma once
 
 #include "engine/contact/least_norm.h"
+#include "engine/operations.h"
 #include "engine/vector.h"
 
 #include <cstddef>
@@ -75,11 +76,6 @@ CoulombSolution solve(const CoulombProblem&);
 ///   f_n = max(0, f_n - u_n/A_nn),   f_t = f_t - u_t/A_tt, cut to mu f_n.
 /// Bounded work for any problem; near the law, not exact.
 VectorX relaxed_force(const CoulombProblem&, int rounds);
-
-/// Operations of the linear equations of so many rows, and of one round over so many points, as Stepper::operations()
-/// counts them: about 0.05 us each.
-constexpr std::int64_t linear_operations(std::int64_t rows) { return 20 + rows * rows * rows / 10; }
-constexpr std::int64_t sweep_operations(std::int64_t points) { return 30 * points; }
 
 /// Whether the force obeys the law for these holds, to rounding and the error of q.
 bool obeys(const CoulombProblem&, const std::vector<Hold>&, const VectorX& force);

@@ -246,12 +246,14 @@ void BodyPile::find_contacts(Time now, Time span) {
   if (isolated_) islands_.find(blocks_);
   if (keep_) pressed_.assign(blocks_.size(), Vector3::Zero());
   divide(static_cast<Real>(span));
+  work_ += static_cast<std::int64_t>(motions_.size() + blocks_.size());
 }
 
 // `last` of its step.
 void BodyPile::advance_part(Time now, Time span, bool last) {
   if (!is_ahead_) find_contacts(now, span);
   if (leaps()) return leap(now, span, last);
+  smooth_ = false;
   if (!divided_) {
     const bool direct = static_cast<int>(blocks_.size()) <= settings_.direct_points;
     pass(now, span, direct);
@@ -353,6 +355,7 @@ void BodyPile::correct_groups(Time now) {
 void BodyPile::solve_directly(Time now) {
   const auto note = [&](bool solved) {
     if (!solved) log_.note(DiagnosticKind::contacts_unsolved, now, {}, direct_.residual());
+    smooth_ = smooth_ && solved;
     residual_ = std::max(residual_, direct_.residual());
   };
   if (!divided_) {
@@ -388,6 +391,7 @@ void BodyPile::substep(Time now, Time h, bool direct) {
     sweep(true);
     sweep(false);
     measure_sweep();
+    work_ += 3 * static_cast<std::int64_t>(blocks_.size());
   }
   carry_impulses();
   for (std::size_t i = 0; keep_ && i < blocks_.size(); ++i)
@@ -435,6 +439,7 @@ void BodyPile::close_joints(Time now) {
       return;
     }
     before = widest;
+    work_ += static_cast<std::int64_t>(closing_.rows.size());
     closing_.project_positions(model_.bodies, motions_.data());
   }
 }

@@ -28,6 +28,11 @@ class BodyPile : public Stepper {
   }
   const std::vector<Impact>& impacts() const override { return impacts_; }
   std::vector<Diagnostic> diagnostics() const override;
+  std::int64_t operations() const override {
+    return work_ + direct_.operations() + overlaps_.operations() + crowd_.operations();
+  }
+  /// 2 as long as all steps are leaps in which nothing strikes and nothing is taken to first order, else 1.
+  std::optional<int> order_so_far() const override { return is_ahead_ && smooth_ ? 2 : 1; }
 
   /// Largest violation of the contact and joint laws that a direct solution has left [m/s].
   double residual() const { return residual_; }
@@ -56,6 +61,7 @@ class BodyPile : public Stepper {
   bool is_crowd(const Group&) const;
   void move_crowds(Time now, Time span);
   bool rests(const Group&) const;
+  bool begins_at_rest(const Group& group) const;
   bool comes_to_rest(const Group&, Real span) const;
   bool lay_to_rest(Real span);
   bool is_slow(const Group&, Real speed) const;
@@ -127,6 +133,7 @@ class BodyPile : public Stepper {
     Vector3 momentum = Vector3::Zero(), angular_momentum = Vector3::Zero();
   };
   bool is_ahead_ = false;
+  bool smooth_ = true;   // all parts so far were of second order
   int parts_ahead_ = 1;  // of the step to come
   Real share_ = 0;       // of what the last kick did: till its instant
   Real kick_ = 0;        // for how long it acted [s]
@@ -137,6 +144,7 @@ class BodyPile : public Stepper {
   std::vector<Vector3>
       pressed_;  // impulse on `a` per block, over the parts of the step [N s]; while contacts are kept
   std::int64_t steps_;
+  std::int64_t work_ = 0;  // operations beside those of what solves
   double residual_ = 0;
   StepLimit limit_;
   int most_told_ = 1;         // of stiff_parts_

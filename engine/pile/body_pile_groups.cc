@@ -4,6 +4,7 @@
 #include "engine/pile/rest.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <variant>
 
@@ -33,10 +34,11 @@ void BodyPile::divide(Real span) {
       continue;
     }
     for (const int body : group.bodies) rest_[index(body)] = awake;
-    if (!(few && is_small(group)) && is_crowd(group) && !bounces(group, span) &&
+    const bool stands = begins_at_rest(group);
+    if (!stands && !(few && is_small(group)) && is_crowd(group) && !bounces(group, span) &&
         !comes_to_rest(group, span)) {
       crowds_.push_back(std::move(group));
-    } else if (static_cast<int>(group.blocks.size()) <= settings_.direct_points) {
+    } else if (stands || static_cast<int>(group.blocks.size()) <= settings_.direct_points) {
       groups_.push_back(std::move(group));
     } else {
       swept_.bodies.insert(swept_.bodies.end(), group.bodies.begin(), group.bodies.end());
@@ -67,8 +69,26 @@ bool BodyPile::bounces(const Group& group, Real span) const {
 // Sweeps leave a group at rest with overlaps, and may not hold it: its last steps are solved to rounding, where it is
 // not too large for that.
 bool BodyPile::comes_to_rest(const Group& group, Real span) const {
-  return static_cast<int>(group.blocks.size()) <= settings_.direct_points &&
+  return settings_.rest && static_cast<int>(group.blocks.size()) <= settings_.direct_points &&
          is_slow(group, gravity_ * span / 1024);
+}
+
+// Sweeps let what is built of many blocks creep before it comes to rest.  Every body lies on something, so that what is about
+// to fall costs no solution.
+bool BodyPile::begins_at_rest(const Group& group) const {
+  if (steps_ > 0 || !settings_.rest || !is_crowd(group) ||
+      static_cast<int>(group.blocks.size()) > settings_.standing_points)
+    return false;
+  std::vector<char> lies(model_.bodies.size());
+  for (const int k : group.blocks) {
+    const Block& block = blocks_[index(k)];
+    if (std::abs(block.gap) > slop(false)) continue;
+    for (const int body : {block.a, block.b})
+      if (body != fixed_world) lies[index(body)] = 1;
+  }
+  return std::all_of(group.bodies.begin(), group.bodies.end(), [&](int body) {
+    return model_.bodies[index(body)].locked || (still_[index(body)] && lies[index(body)]);
+  });
 }
 
 // A group that nothing has joined or left since it came to rest, and on which only gravity acts, stays at rest.
@@ -90,6 +110,7 @@ bool BodyPile::is_on_edge(int body, const Group& group) const {
 // Groups that hardly move before and after a step: what is left of their velocities is the solver's.  A body
 // that turns back hardly moves only once.  Whether one was laid to rest.
 bool BodyPile::lay_to_rest(Real span) {
+  if (!settings_.rest) return false;
   bool any = false;
   constexpr Real part = std::max(Real(1) / (1 << 20), 16 * epsilon);
   const Real speed = part * gravity_ * span;

@@ -181,7 +181,9 @@ void BodyPile::set_bias(Real lag, Real h) {
     const bool touches = block.kind == Block::Kind::contact;
     const Vector3 bent = bend(block);
     const Real most = (speed(block.a, block.arm) + speed(block.b, block.to_arm)) / 4;
-    if (block.past.known && (!touches || bent.norm() <= most)) block.bias = h / (4 * lag) * bent;
+    const bool goes_on = !touches || bent.norm() <= most;
+    if (block.past.known && goes_on) block.bias = h / (4 * lag) * bent;
+    smooth_ = smooth_ && (goes_on || !block.past.known);
     if (!touches) continue;
     const Vector3 &n = block.normal, slip = across(block.before, n);
     const Vector3 change = h / 2 * across(rate(block.a, block.arm) - rate(block.b, block.to_arm), n);
@@ -209,6 +211,7 @@ void BodyPile::forget_parts_of_pairs() {
 void BodyPile::load_ahead(Time now, Real lag) {
   masses_.set(now, model_.bodies);
   if (!other_forces_) return;
+  smooth_ = smooth_ && (steady_ || !model_.forces.read_velocities());
   for (std::size_t i = 0; lag > 0 && steady_ && i < motions_.size(); ++i) {
     motions_[i].momentum += lag * rates_[i].momentum;
     motions_[i].angular_momentum += lag * rates_[i].angular_momentum;

@@ -37,6 +37,7 @@ void BodyPile::note_impacts(Time now) {
   for (std::size_t k = 0; k < blocks_.size(); ++k) {
     const Block& block = blocks_[k];
     if (!takes(block) || !block.impact) continue;
+    smooth_ = false;
     if (block.kind == Block::Kind::stop) {
       if (block.restitution > 0) note_bounce(block, now);
     } else {

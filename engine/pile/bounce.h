@@ -19,6 +19,9 @@ class Bounce {
   /// The largest violation that a solution left in the last call [m/s].
   double residual() const { return residual_; }
 
+  /// As Direct's.
+  std::int64_t operations() const { return direct_.operations(); }
+
  private:
   Direct direct_;
   double residual_ = 0;

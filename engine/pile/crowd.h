@@ -38,6 +38,9 @@ class Crowd {
   /// the solution [m/s].
   Real residual(std::size_t group) const { return residuals_[group]; }
 
+  /// Contacts, over all sweeps so far (Stepper::operations()).
+  std::int64_t operations() const { return operations_; }
+
  private:
   // Rows of four, which lanes read: v; w; the diagonal of the inverse inertia and the inverse mass; its xy, xz, yz;
   // how far the body has moved and turned since the start of the step.
@@ -102,6 +105,7 @@ class Crowd {
   std::vector<Spot> spots_;
   std::vector<int> block_;       // of each lane of each spot; -1: none
   std::vector<Real> residuals_;  // of each group
+  std::int64_t operations_ = 0;
 };
 
 }  // namespace cylon::engine::pile

@@ -1,6 +1,7 @@
 #include "engine/pile/direct.h"
 
 #include "engine/islands/unions.h"
+#include "engine/operations.h"
 
 #include <Eigen/LU>
 
@@ -305,6 +306,7 @@ void Direct::factor() {
   }
   add_slopes(add_part);
   matrix_.factor();
+  operations_ += row_operations(matrix_.work());
 }
 
 // The slope of the function along `way` at v; leaves its gradient there.
@@ -390,6 +392,7 @@ bool Direct::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, 
     if (!row.block->angular) stiffness = std::max(stiffness, row.stiffness);
   const double stiff_limit = std::min(most_stiff, stiffest * lightest / stiffness);
   for (int round = 0;; ++round) {
+    operations_ += static_cast<std::int64_t>(rows_.size());
     velocities_of_impulses();
     forces(v_, false);
     // What rounding leaves of V* + M^-1 J^T lambda.

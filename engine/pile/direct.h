@@ -30,6 +30,9 @@ class Direct {
   /// The largest violation that the last solution left [m/s].
   double residual() const { return residual_; }
 
+  /// Of all solutions so far (Stepper::operations()).
+  std::int64_t operations() const { return operations_; }
+
  private:
   using Vector = Eigen::VectorXd;
   using V3 = Eigen::Vector3d;
@@ -76,6 +79,7 @@ class Direct {
   Eigen::MatrixXd dense_;
   Vector start_, free_, centre_, v_, gradient_, way_, push_;
   double residual_ = 0;
+  std::int64_t operations_ = 0;
   double rounding_ = 0;  // of a velocity that impulses give [m/s]
 };
 

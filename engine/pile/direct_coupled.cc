@@ -1,4 +1,5 @@
 // Newton's method for exact Coulomb friction: the friction limits depend on the unknown normal impulses.
+#include "engine/operations.h"
 #include "engine/pile/direct.h"
 
 #include <Eigen/LU>
@@ -10,6 +11,7 @@ namespace cylon::engine::pile {
 namespace {
 
 constexpr int most_steps = 12;
+constexpr Eigen::Index most_dense = 4096;  // unknowns: their cube is the work of a step
 
 }  // namespace
 
@@ -28,12 +30,14 @@ bool Direct::couple() {
       factor();
       matrix_.solve(gradient_);
     } else {
+      if (size > most_dense) break;
       dense_.setZero(size, size);
       const auto add_part = [&](int at, int other, const M6& sum) { dense_.block<6, 6>(at, other) += sum; };
       for (std::size_t k = 0; k < bodies_.size(); ++k)
         add_part(6 * static_cast<int>(k), 6 * static_cast<int>(k), masses_[k]);
       add_slopes(add_part);
       gradient_ = dense_.partialPivLu().solve(gradient_);
+      operations_ += row_operations(size * size * size / 3);
     }
     const double change = gradient_.cwiseAbs().maxCoeff();
     if (!(change < before) && !(change <= rounding_)) break;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace cylon::engine::pile {
@@ -19,13 +20,17 @@ class Envelope {
     first_ = first;
     start_.resize(first.size());
     std::size_t total = 0;
+    work_ = 0;
     for (std::size_t i = 0; i < first.size(); ++i) {
       start_[i] = total - static_cast<std::size_t>(first[i]);
-      total += i + 1 - static_cast<std::size_t>(first[i]);
+      const std::size_t length = i + 1 - static_cast<std::size_t>(first[i]);
+      total += length, work_ += static_cast<std::int64_t>(length * length);
     }
     values_.assign(total, 0);
   }
   void clear() { values_.assign(values_.size(), 0); }
+  /// Multiplications of factor(), about.
+  std::int64_t work() const { return work_; }
   int size() const { return static_cast<int>(first_.size()); }
   /// column <= row, within the envelope.
   double& at(int row, int column) { return values_[start_[index(row)] + index(column)]; }
@@ -63,6 +68,7 @@ class Envelope {
   std::vector<int> first_;
   std::vector<std::size_t> start_;
   std::vector<double> values_;
+  std::int64_t work_ = 0;
 };
 
 }  // namespace cylon::engine::pile

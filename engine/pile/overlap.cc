@@ -46,6 +46,7 @@ bool Overlaps::displace(const std::vector<Body>& bodies, const std::vector<Block
     for (Block& block : blocks_) set_effective_mass(block, movers_);
     for (int sweep = 0; sweep < sweeps; ++sweep)
       for (Block& block : blocks_) relax(block, movers_);
+    swept_ += sweeps * static_cast<std::int64_t>(blocks_.size());
     for (const Block& block : blocks_) residual_ = std::max(residual_, unmet(block, movers_));
   }
   if (residual_ <= negligible * slop) residual_ = 0;

@@ -28,11 +28,15 @@ class Overlaps {
   /// the slop [m]; else 0.
   Real residual() const { return residual_; }
 
+  /// Of all displacements so far (Stepper::operations()).
+  std::int64_t operations() const { return swept_ + direct_.operations(); }
+
  private:
   std::vector<Block> blocks_;
   std::vector<Mover> movers_;
   Direct direct_;
   Real residual_ = 0;
+  std::int64_t swept_ = 0;  // contacts, over all sweeps
 };
 
 }  // namespace cylon::engine::pile

@@ -16,6 +16,10 @@ struct PileSettings {
   /// 0: as many as the machine has.  The result does not depend on it, bit for bit.
   int threads = 1;
 
+  /// Bodies that sweeps have brought to rest keep their place, at no cost, until something touches them.  Their last steps
+  /// before that are solved to rounding, if direct_points allows.
+  bool rest = true;
+
   /// Share of the overlap that a step takes away, by moving bodies apart without touching their velocities.  The direct
   /// solution takes all of it up to `at_once`, relative to the smaller radius or half-extent.
   Real relaxation = Real(0.2);
@@ -35,6 +39,9 @@ struct PileSettings {
   /// So are other groups with at most this many, where they come to rest, and those
   /// that sweeps cannot take: with joints, or with other forces than gravity.
   int direct_points = 512;
+
+  /// In the first step so are groups with at most this many that begin at rest: whether what is built stands is asked once.
+  int standing_points = 1 << 15;
 };
 
 }  // namespace cylon::engine

@@ -117,6 +117,7 @@ void SpherePile::advance_part(Time now, Time span) {
   const Time h = span / n;
   part_ = h;
   found_.find(spheres_, span, gravity_);
+  work_ += n * static_cast<std::int64_t>(static_cast<std::size_t>(spheres_.count) + found_.rows());
   if (!impacts_found_.resolve(found_.approaching(), spheres_, now, span, impacts_,
                               keep_ ? &contacts_ : nullptr))
     log_.note(DiagnosticKind::approaching, now, most_impact_sweeps);

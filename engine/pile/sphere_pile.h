@@ -17,6 +17,7 @@ class SpherePile : public Stepper {
   void read_turns(std::vector<Real>& turns) const override { turns.clear(); }
   const std::vector<Impact>& impacts() const override { return impacts_; }
   std::vector<Diagnostic> diagnostics() const override;
+  std::int64_t operations() const override { return work_; }
 
   /// Pairs within reach of each other in the last step.
   std::size_t pairs() const { return found_.pairs(); }
@@ -51,6 +52,7 @@ class SpherePile : public Stepper {
   std::vector<Pressed>
       pressed_;  // per row of impulses, over the parts of the step [N s]; while contacts are kept
   std::int64_t first_, steps_;
+  std::int64_t work_ = 0;            // spheres and contacts, over all sweeps
   Real smallest_ = 0, largest_ = 0;  // radius
   DiagnosticLog log_;
   Time part_ = 0;  // of the last part of a step [s]

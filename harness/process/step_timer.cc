@@ -28,29 +28,29 @@ double clock_cost_ns(const Read& read) {
 
 }  // namespace
 
-double thread_cpu_ns() {
+double process_cpu_ns() {
   timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
   return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
 }
 
 StepTimer::StepTimer(std::int64_t bursts)
-    : few_(bursts <= most_timed_apart), cost_(clock_cost_ns(few_ ? thread_cpu_ns : wall_ns)) {}
+    : few_(bursts <= most_timed_apart), cost_(clock_cost_ns(few_ ? process_cpu_ns : wall_ns)) {}
 
 void StepTimer::begin_batch() {
-  if (!few_) cpu_ = thread_cpu_ns(), wall_ = wall_ns(), inside_ = 0;
+  if (!few_) cpu_ = process_cpu_ns(), wall_ = wall_ns(), inside_ = 0;
 }
 
-void StepTimer::begin_burst() { burst_ = few_ ? thread_cpu_ns() : wall_ns(); }
+void StepTimer::begin_burst() { burst_ = few_ ? process_cpu_ns() : wall_ns(); }
 
 void StepTimer::end_burst() {
-  const double took = std::max(0.0, (few_ ? thread_cpu_ns() : wall_ns()) - burst_ - cost_);
+  const double took = std::max(0.0, (few_ ? process_cpu_ns() : wall_ns()) - burst_ - cost_);
   (few_ ? total_ : inside_) += took;
 }
 
 void StepTimer::end_batch() {
   if (few_) return;
-  const double cpu = thread_cpu_ns() - cpu_, wall = wall_ns() - wall_;
+  const double cpu = process_cpu_ns() - cpu_, wall = wall_ns() - wall_;
   total_ += cpu * std::min(1.0, inside_ / std::max(wall, 1.0));
 }
 

@@ -5,8 +5,8 @@
 
 namespace cylon::process {
 
-/// CPU time of the calling thread [ns].
-double thread_cpu_ns();
+/// CPU time of this process, of all its threads [ns].
+double process_cpu_ns();
 
 /// Times bursts of steps; a burst is the steps up to the next sample.  A batch is the bursts between two
 /// writes.

@@ -62,9 +62,9 @@ void WorkerSession::load(const json& request) {
 // Impossible setups are the user's mistake and an answer, as is a start from which a run cannot go on; whatever else load()
 // throws is a crash.
 json WorkerSession::answer_to_load() try {
-  const double before = thread_cpu_ns();
+  const double before = process_cpu_ns();
   const core::Loaded loaded = simulator_.load_if_supported(scene_, setup_);
-  load_ns_ = thread_cpu_ns() - before;
+  load_ns_ = process_cpu_ns() - before;
   loaded_ = !loaded.unsupported;
   if (!loaded_) return {{"unsupported", *loaded.unsupported}};
   return terms_json(loaded.terms);

@@ -139,6 +139,7 @@ class Ending final : public Stepper {
     motions.assign(1, make_motion(body(), {x, 2, 3}, Quaternion::Identity(), {0, 0, 0}, {0, 0, 0}));
   }
   void read_turns(std::vector<Real>& turns) const override { turns.clear(); }
+  std::int64_t operations() const override { return steps_; }
   static Body body() { return make_body(1, Matrix3::Identity()); }
 
  private:

@@ -1,5 +1,6 @@
 // What is thrown at walls comes inside nothing, or the run says so.
 #include "engine/contact/candidate.h"
+#include "engine/geometry/pose.h"
 #include "tests/engine/mixed_scenes_check.h"
 
 namespace cylon::engine {
@@ -38,6 +39,14 @@ Real deepest(const Model& model, const std::vector<Candidate>& candidates,
   return depth;
 }
 
+// The least half-width of what has a shape [m].
+Real thinnest(const Model& model) {
+  Real least = std::numeric_limits<Real>::infinity();
+  for (const Shape& shape : model.shapes)
+    if (!std::holds_alternative<std::monostate>(shape)) least = std::min(least, half_width(shape));
+  return least;
+}
+
 // A corner that left a wedge of walls by 2e-6 m/s was 0.1 mm deep in one of them, and nothing told it.
 TEST(MixedCorners, SinkNowhereUnsaid) {
   int looked = 0, said = 0;
@@ -50,6 +59,7 @@ TEST(MixedCorners, SinkNowhereUnsaid) {
     World world(model, options);
     const std::vector<Candidate> candidates = find_candidates(model);
     const Real began = deepest(model, candidates, world.motions());
+    bool sank = false;
     for (int step = 0; step < 100; ++step) {
       world.step();
       const Real depth = deepest(model, candidates, world.motions());
@@ -58,12 +68,16 @@ TEST(MixedCorners, SinkNowhereUnsaid) {
       const bool strode = std::ranges::any_of(run.remarks, [](const std::string& remark) {
         return remark.find("over a short time") != std::string::npos;
       });
-      EXPECT_TRUE(depth < 1 && (gave_up(run) || was_stepped(run) || strode))
-          << k << " is " << depth << " m deep after " << step + 1 << " steps:" << scene.text
-          << told(";", run);
-      ++said;
+      // What is said is no excuse for more than a quarter of the thinnest body.
+      if (depth <= began + thinnest(model) / 4 && (gave_up(run) || was_stepped(run) || strode)) {
+        sank = true;
+        continue;
+      }
+      ADD_FAILURE() << k << " is " << depth << " m deep after " << step + 1 << " steps:" << scene.text
+                    << told(";", run);
       break;
     }
+    said += sank;
   }
   testing::Test::RecordProperty("said", said);
   EXPECT_GE(looked, 80);

@@ -48,7 +48,7 @@ inline bool gave_up(const Ran& run) {
   });
 }
 
-// Whether a run, or a part of the scene for some time of it, went in first-order steps: it says so.
+// Whether a run, or a part of the scene for some time of it, went in fixed steps: it says so.
 inline bool was_stepped(const Ran& run) {
   return run.path == Path::stepping ||
          std::any_of(run.remarks.begin(), run.remarks.end(), [](const std::string& remark) {

@@ -53,8 +53,43 @@ TEST(World, AdvancesInRunsAsInSteps) {
       ASSERT_EQ(runs.impacts().size(), steps.impacts().size()) << row.name << " after " << taken;
       for (std::size_t i = 0; i < row.model.bodies.size(); ++i)
         ASSERT_TRUE(same_bits(runs.motions()[i], steps.motions()[i])) << row.name << " after " << taken;
+      ASSERT_EQ(runs.operations(), steps.operations()) << row.name << " after " << taken;
     }
     EXPECT_FALSE(same_bits(runs.motions()[0], row.model.motions[0])) << row.name << ": nothing moved";
+  }
+}
+
+// Steps of whatever carries the model are counted, and nothing else decides how many there are.
+TEST(World, CountsOperationsInEveryStep) {
+  std::vector<Row> all = rows();
+  all.push_back({"steps", ball_over_plane(Real(0.7), Real(0.6)), "auto", Path::stepping});
+  for (const Row& row : all) {
+    Options options = with(row.integrator, 0.013);
+    if (row.path == Path::stepping) options.path = "stepping";
+    World world(row.model, options), again(row.model, options);
+    ASSERT_EQ(world.plan().path, row.path) << row.name;
+    std::int64_t before = world.operations();
+    for (int i = 0; i < 60; ++i) {
+      world.step(), again.step();
+      // Steps of an error-controlled run may span many of these.
+      EXPECT_GE(world.operations(), before + (row.integrator != std::string("auto"))) << row.name << i;
+      before = world.operations();
+    }
+    EXPECT_GT(before, 0) << row.name;
+    EXPECT_EQ(before, again.operations()) << row.name;
+  }
+}
+
+// What ends is counted still: bodies that are kicked begin anew.
+TEST(World, CountsOperationsOfRunsThatEnded) {
+  for (const Row& row : rows()) {
+    const Options options = with(row.integrator, 0.013);
+    World world(row.model, options);
+    if (!world.no_kick().empty()) continue;
+    world.advance(50);
+    const std::int64_t before = world.operations();
+    world.kick(0, Vector3::UnitX(), Vector3::Zero());
+    EXPECT_GE(world.operations(), before) << row.name;
   }
 }
 

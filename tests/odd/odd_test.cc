@@ -32,7 +32,7 @@ struct Truth {
 
 struct Odd {
   const char* name;       ///< Of tests/odd/NAME.toml.
-  double operations;      ///< At most: 1.5 to 3 times what was counted.
+  double operations;      ///< At most: 1.2 to 8 times what was counted.
   const char* said = "";  ///< A part of a remark that the run must make; "": the tolerance is kept.
   std::vector<Truth> truths = {};
   const char* path = "";  ///< That is asked for.
@@ -151,13 +151,13 @@ const std::vector<Odd> all = {
     // In frames that turn or accelerate.  A ball that rolls on what moves under it with a gets 2/7 a of it; a block stays
     // while friction holds  m sqrt((W^2 r)^2 + (W' r)^2);  on a wire that turns, x'' = W^2 x.
     {"ball_in_a_train",
-     1e7,
+     1e6,
      "",
      {{0, What::position, 0, -5. / 7, 1e-10}, {0, What::velocity, 0, -10. / 7, 1e-10}}},
-    {"ball_in_a_train", 1e7, stepped, {{0, What::velocity, 0, -10. / 7, 1e-10}}, "stepping"},
-    {"block_on_a_turntable", 1e7, "", {{0, What::position, 0, 0.8, 1e-12}, {0, What::position, 2, 0, 1e-12}}},
-    {"block_on_a_turntable", 1e7, stepped, {{0, What::position, 0, 0.8, 1e-12}}, "stepping"},
-    {"bead_on_a_turning_wire", 1e7, "", {{0, What::position, 0, 0.3 * std::cosh(1.7), 1e-10}}},
+    {"ball_in_a_train", 5e3, stepped, {{0, What::velocity, 0, -10. / 7, 1e-10}}, "stepping"},
+    {"block_on_a_turntable", 3e6, "", {{0, What::position, 0, 0.8, 1e-12}, {0, What::position, 2, 0, 1e-12}}},
+    {"block_on_a_turntable", 5.5e4, stepped, {{0, What::position, 0, 0.8, 1e-12}}, "stepping"},
+    {"bead_on_a_turning_wire", 3.5e3, "", {{0, What::position, 0, 0.3 * std::cosh(1.7), 1e-10}}},
     {"thrust_along_floor", 2e7, "", {{0, What::position, 0, (8 - 0.3 * (2 * g - 2)) / 2 * 2, 1e-10}}},
     {"thrust_too_weak", 5e3, "", {{0, What::position, 0, 0, 0}, {0, What::velocity, 0, 0, 0}}},
     {"slide_and_gather", 5e6, "", {{0, What::velocity, 0, gathers(0.5), 1e-10}}},
@@ -174,13 +174,16 @@ const std::vector<Odd> all = {
      "",
      {{0, What::position, 0, 1 + 0.5 * std::cos(4), 1e-10},
       {0, What::position, 2, 0.5 * std::sin(4), 1e-10}}},
-    {"between_walls", 1e3, "", {{0, What::position, 0, -0.6, 1e-12}, {0, What::velocity, 0, -3, 1e-12}}},
+    {"between_walls", 3.5e3, "", {{0, What::position, 0, -0.6, 1e-12}, {0, What::velocity, 0, -3, 1e-12}}},
     {"flat_bounce_on_plane", 4e5, "", {{0, What::position, 1, bounced(1), 1e-10}}},
     {"flat_bounce_on_box", 2e5, "", {{0, What::position, 1, bounced(1), 1e-10}}},
     {"flat_bounces_end", 2e5, "", {{1, What::position, 1, 0.2, 1e-11}, {1, What::velocity, 1, 0, 1e-12}}},
-    {"stack_of_three", 0, stepped, {{3, What::position, 1, 1, 1e-12}, {2, What::position, 0, 0.05, 1e-12}}},
     {"stack_of_three",
-     2e7,
+     5.5e4,
+     stepped,
+     {{3, What::position, 1, 1, 1e-12}, {2, What::position, 0, 0.05, 1e-12}}},
+    {"stack_of_three",
+     1e5,
      "",
      {{3, What::position, 1, 1, 1e-12}, {2, What::position, 0, 0.05, 1e-12}},
      "events"},
@@ -191,8 +194,8 @@ const std::vector<Odd> all = {
      "",
      {{0, What::velocity, 0, (askew - 0.96) * 1.5 * 2 / askew, 1e-10},
       {0, What::velocity, 2, (askew - 0.96) * 1.5 * 0.5 / askew, 1e-10}}},
-    {"spin_on_the_spot", 1e3, "", {{0, What::position, 0, 0, 0}, {0, What::position, 1, 0.3, 0}}},
-    {"backspin", 1e3, "", {{0, What::velocity, 0, (2 - 0.4 * 0.3 * 20) / 1.4, 1e-12}}},
+    {"spin_on_the_spot", 3e3, "", {{0, What::position, 0, 0, 0}, {0, What::position, 1, 0.3, 0}}},
+    {"backspin", 3e3, "", {{0, What::velocity, 0, (2 - 0.4 * 0.3 * 20) / 1.4, 1e-12}}},
     {"boxes_on_a_spring",
      6e7,
      "",
@@ -219,17 +222,20 @@ const std::vector<Odd> all = {
      {{0, What::position, 0, 0.2, 1e-10},
       {0, What::position, 1, 0.2, 1e-10},
       {0, What::position, 2, 0.2, 1e-10}}},
-    {"cradle_of_four", 1e3, "", {{2, What::velocity, 0, 0, 1e-12}, {3, What::position, 0, 2.2, 1e-12}}},
+    {"cradle_of_four", 6.5e3, "", {{2, What::velocity, 0, 0, 1e-12}, {3, What::position, 0, 2.2, 1e-12}}},
     {"ball_strikes_box",
      2e5,
      "",
      {{0, What::velocity, 0, -1, 1e-11}, {1, What::position, 0, 0.3 + 1 - 0.4, 1e-10}}},
     {"capsule_lies_down", 3e5, "", {{0, What::position, 1, 0.25, 1e-11}, {0, What::velocity, 1, 0, 1e-11}}},
     // Their coordinates against each other turn with them: minutes for a second of motion, before.
-    {"plate_on_a_plate_in_space", 1e3},
-    {"light_plate_on_a_heavy_one", 1e3},
+    {"plate_on_a_plate_in_space", 4e4},
+    {"light_plate_on_a_heavy_one", 1e5},
     {"door_at_a_stop", 4e5, "", {{0, What::position, 2, -0.5 * std::sin(door(0.5)), 1e-10}}},
-    {"fixed_pair_lands", 0, stepped, {{0, What::position, 1, 0.2, 1e-9}, {1, What::velocity, 1, 0, 1e-9}}},
+    {"fixed_pair_lands",
+     1.5e4,
+     stepped,
+     {{0, What::position, 1, 0.2, 1e-9}, {1, What::velocity, 1, 0, 1e-9}}},
     {"falls_with_drag", 1e5, "", {{0, What::position, 1, 0.2, 1e-11}}},
     {"turning_thrust",
      1e6,
@@ -248,12 +254,12 @@ const std::vector<Odd> all = {
     // are off by v_0/300 at most.
     {"stiff_drag", 5e4, "", {{0, What::position, 0, 1 / 300., 1e-12}}},
     {"stiff_drag",
-     0,
+     1e3,
      "parts",
      {{0, What::position, 0, 1 / 300., 1 / 290.}, {0, What::velocity, 0, 0, 1e-9}},
      "stepping"},
-    {"stiff_spring", 1e4, "", {{0, What::position, 0, 1, 1e-12}}},
-    {"stiff_spring", 0, "parts", {{0, What::position, 0, 1, 1e-9}}, "stepping"},
+    {"stiff_spring", 2.5e3, "", {{0, What::position, 0, 1, 1e-12}}},
+    {"stiff_spring", 9.5e3, "parts", {{0, What::position, 0, 1, 1e-9}}, "stepping"},
     // Contacts that stick, slip and bounce without end: minutes for seconds of motion, before.
     {"groove",
      8e6,
@@ -262,7 +268,7 @@ const std::vector<Odd> all = {
       {0, What::position, 1, sqrt_half, 1e-10}}},
     {"groove_smooth", 5e6, "", {{0, What::velocity, 2, 1, 1e-12}, {0, What::position, 2, 2, 1e-12}}},
     {"groove_steep", 6e6},
-    {"groove_shallow", 5e6},
+    {"groove_shallow", 6.5e3},
     // One rail is struck before the other: the ball swings about it for 0.3 s, or rocks from one to the other.
     {"two_rails",
      6e6,
@@ -283,37 +289,37 @@ const std::vector<Odd> all = {
     // Ghost collisions at the seams of coplanar boxes: 3 m/s became 1.13, or 0.23.
     {"box_over_seams", 1e8, "", {{0, What::position, 0, 9.2, 1e-9}, {0, What::velocity, 0, 3, 1e-9}}},
     {"box_over_seams",
-     0,
+     2e5,
      stepped,
      {{0, What::position, 0, 9.2, 1e-9}, {0, What::velocity, 0, 3, 1e-9}},
      "stepping"},
     {"box_over_seams_rough", 1e8, "", {{0, What::position, 0, slides_to(2), 1e-8}}},
-    {"box_over_seams_rough", 0, stepped, {{0, What::position, 0, slides_to(2), 0.01}}, "stepping"},
+    {"box_over_seams_rough", 1.5e5, stepped, {{0, What::position, 0, slides_to(2), 0.01}}, "stepping"},
     {"box_over_unequal_seams", 1e8, "", {{0, What::position, 0, 6.2, 1e-9}, {0, What::velocity, 0, 3, 1e-9}}},
-    {"box_over_unequal_seams", 0, stepped, {{0, What::position, 0, 6.2, 1e-9}}, "stepping"},
-    {"ball_over_seams", 1e8, unknown, {{0, What::velocity, 0, 3, 1e-9}, {0, What::position, 1, 0.25, 1e-9}}},
-    {"ball_over_seams", 0, stepped, {{0, What::velocity, 0, 3, 1e-9}}, "stepping"},
-    {"ball_over_seams_smooth", 1e8, unknown, {{0, What::velocity, 0, 3, 1e-9}}},
-    {"ball_over_seams_smooth", 0, stepped, {{0, What::velocity, 0, 3, 1e-9}}, "stepping"},
+    {"box_over_unequal_seams", 1e5, stepped, {{0, What::position, 0, 6.2, 1e-9}}, "stepping"},
+    {"ball_over_seams", 5e6, unknown, {{0, What::velocity, 0, 3, 1e-9}, {0, What::position, 1, 0.25, 1e-9}}},
+    {"ball_over_seams", 4.5e4, stepped, {{0, What::velocity, 0, 3, 1e-9}}, "stepping"},
+    {"ball_over_seams_smooth", 3e6, unknown, {{0, What::velocity, 0, 3, 1e-9}}},
+    {"ball_over_seams_smooth", 4.5e4, stepped, {{0, What::velocity, 0, 3, 1e-9}}, "stepping"},
     // What does stand in the way.
-    {"box_against_a_step", 1e8, "", {{0, What::velocity, 0, 0, 2.5}}},
-    {"box_against_a_step", 0, stepped, {{0, What::velocity, 0, 0, 2.5}}, "stepping"},
-    {"box_against_a_wall", 1e8, "", {{0, What::velocity, 0, -1.5, 1e-9}}},
-    {"box_against_a_wall", 0, stepped, {{0, What::velocity, 0, -1.5, 1e-9}}, "stepping"},
+    {"box_against_a_step", 1e7, "", {{0, What::velocity, 0, 0, 2.5}}},
+    {"box_against_a_step", 6e4, stepped, {{0, What::velocity, 0, 0, 2.5}}, "stepping"},
+    {"box_against_a_wall", 1.5e7, "", {{0, What::velocity, 0, -1.5, 1e-9}}},
+    {"box_against_a_wall", 2e4, stepped, {{0, What::velocity, 0, -1.5, 1e-9}}, "stepping"},
     // What begins and ends between two looks was not seen, and nothing was said: a stop, a slip, a flight.
-    {"stops_for_a_moment", 1e7, "", {{0, What::velocity, 0, slows_to_a_stop(6), 1e-7}}},
-    {"slips_for_a_moment", 1e7, "", {{0, What::position, 0, slipped(4), 1e-7}}},
-    {"lifts_for_a_moment", 1e7, "", {{0, What::position, 1, lifted(4), 1e-8}}},
+    {"stops_for_a_moment", 2.5e5, "", {{0, What::velocity, 0, slows_to_a_stop(6), 1e-7}}},
+    {"slips_for_a_moment", 1.5e5, "", {{0, What::position, 0, slipped(4), 1e-7}}},
+    {"lifts_for_a_moment", 1.5e5, "", {{0, What::position, 1, lifted(4), 1e-8}}},
     // Two points jam each other before they slip, or contacts rattle: each took 10 to 50 s, what was told was wrong, and then
     // the law was left.  The ends are those of steps of 0.01, 0.003 and 0.001 s, and of the path `stepping` with 300 sweeps,
     // which comes within 0.0066, 0.0007 and 0.0001 m at 2e-5 s.
-    {"box_with_ball_jams", 5e7, "late", {{0, What::position, 0, -0.42763478, 1e-6}}},
+    {"box_with_ball_jams", 1.5e7, "late", {{0, What::position, 0, -0.42763478, 1e-6}}},
     {"box_with_ball_slides", 3e7, "late", {{0, What::position, 0, -0.0836815039763, 1e-9}}},
-    {"box_in_a_shaken_frame", 5e7, "", {{0, What::position, 0, 0.06373440665, 1e-9}}},
+    {"box_in_a_shaken_frame", 1e7, "", {{0, What::position, 0, 0.06373440665, 1e-9}}},
     {"tetrahedron_rattles", 5e7, "late", {{0, What::position, 0, -0.3701794920, 1e-7}}},
-    {"rod_digs_in", 5e7, unknown},
+    {"rod_digs_in", 9e6, unknown},
     {"weight_on_a_stop", 1e6, "", {{0, What::position, 1, 0.1, 1e-15}, {0, What::velocity, 1, 0, 0}}},
-    {"hinge_chain", 2e9, not_followed, {}, "events"},
+    {"hinge_chain", 5e8, not_followed, {}, "events"},
     {"jointed_boxes", 1.5e8, "is not reached", {{0, What::position, 1, 0.2, 1e-6}}, "events"},
     {"break_of_sixteen", 3e8, not_followed, {{0, What::position, 1, 0.0286, 1e-6}}, "events"},
 };
@@ -334,6 +340,7 @@ TEST_P(OddScenes, EndsAndSaysHowWell) {
   const std::int64_t steps = std::llround(scenario.duration / scenario.step);
   for (std::int64_t k = 0; k < steps; ++k) world.step();
 
+  EXPECT_GT(world.operations(), 0);
   EXPECT_LE(static_cast<double>(world.operations()), odd.operations);
   for (std::size_t i = 0; i < world.motions().size(); ++i)
     EXPECT_TRUE(world.motions()[i].position.allFinite() && world.motions()[i].momentum.allFinite()) << i;

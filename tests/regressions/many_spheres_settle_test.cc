@@ -20,7 +20,7 @@ TEST(ManySpheresSettle, SwitchToFixedStepsAtFirstPersistentContact) {
     const RunOutcome outcome = run(parse_engine(id, default_engines(binary_dir)), request);
     ASSERT_TRUE(outcome.recording) << id << ": " << outcome.reason;
     ASSERT_FALSE(outcome.recording->remarks.empty());
-    EXPECT_NE(outcome.recording->remarks.front().find("in fixed first-order steps"), std::string::npos)
+    EXPECT_NE(outcome.recording->remarks.front().find(", then in fixed steps: "), std::string::npos)
         << outcome.recording->remarks.front();
     // The weight of four layers, taken away by a fifth of the overlap a step: well below a hundredth of a
     // radius.

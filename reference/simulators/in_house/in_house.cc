@@ -44,6 +44,38 @@ std::vector<core::Path> paths() {
   return {events, stepping};
 }
 
+struct Switch {
+  const char* name;
+  const char *usual, *other;
+  bool engine::Options::*on;
+  bool is_other;  // what `on` is where the other value is asked for
+  const char* meaning;
+};
+
+constexpr Switch switches[] = {
+    {"model", "planned", "full", &engine::Options::full, true,
+     "planned: only the stages that the scene needs; full: all stages"},
+    {"joints", "reduced", "constraints", &engine::Options::constraints, true,
+     "reduced: joints to the world leave coordinates out, and so do trees of joints where the integrator is "
+     "no splitting; constraints: all are kept"},
+    {"account", "no", "yes", &engine::Options::account, true,
+     "yes: integrate the work of each force beside the motion"},
+    {"sleeping", "on", "off", &engine::Options::sleeping, false,
+     "path stepping: on: in large piles what has come to rest keeps its place until something touches it"}};
+
+struct WholeNumber {
+  const char* name;
+  const char* usual;
+  int least, most;
+  int engine::Options::*to;
+  const char* meaning;
+};
+
+constexpr WholeNumber whole_numbers[] = {
+    {"sweeps", "10", 1, 1000, &engine::Options::sweeps, "path stepping: sweeps over the contacts in a step"},
+    {"threads", "1", 1, 64, &engine::Options::threads,
+     "threads for large piles in steps and for more than 64 free bodies, with the same bits"}};
+
 core::Engine describe() {
   core::Engine engine;
   engine.name = "in-house";
@@ -63,19 +95,11 @@ core::Engine describe() {
                   "offset_universal_joints", "screw_joints",       "joint_forces",
                   "joint_targets",           "joint_limits",       "joint_friction",
                   "joint_armature",          "plugin_forces"};
-  engine.options.push_back({"model",
-                            {"planned", "full"},
-                            "planned",
-                            "planned: only the stages that the scene needs; full: all stages"});
-  engine.options.push_back({"joints",
-                            {"reduced", "constraints"},
-                            "reduced",
-                            "reduced: joints to the world leave coordinates out, and so do trees of joints "
-                            "where the integrator is no splitting; constraints: all are kept"});
-  engine.options.push_back(
-      {"account", {"no", "yes"}, "no", "yes: integrate the work of each force beside the motion"});
-  engine.options.push_back(
-      {"sweeps", {}, "10", "path stepping: sweeps over the contacts in a step, 1 to 1000"});
+  for (const Switch& row : switches)
+    engine.options.push_back({row.name, {row.usual, row.other}, row.usual, row.meaning});
+  for (const WholeNumber& row : whole_numbers)
+    engine.options.push_back(
+        {row.name, {}, row.usual, fmt::format("{}, {} to {}", row.meaning, row.least, row.most)});
   return engine;
 }
 
@@ -95,13 +119,13 @@ std::vector<std::string> names(const Rows& rows) {
   return result;
 }
 
-int sweeps_of(const std::string& value) {
-  int sweeps = 0;
-  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), sweeps);
-  if (error != std::errc{} || end != value.data() + value.size() || sweeps < 1 || sweeps > 1000)
-    throw std::invalid_argument(
-        fmt::format("in-house: sweeps = '{}' is not a whole number in [1, 1000]", value));
-  return sweeps;
+int number_of(const WholeNumber& row, const std::string& value) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+  if (error != std::errc{} || end != value.data() + value.size() || number < row.least || number > row.most)
+    throw std::invalid_argument(fmt::format("in-house: {} = '{}' is not a whole number in [{}, {}]", row.name,
+                                            value, row.least, row.most));
+  return number;
 }
 
 engine::Options options_of(const core::Engine& engine, const core::Setup& setup) {
@@ -110,17 +134,13 @@ engine::Options options_of(const core::Engine& engine, const core::Setup& setup)
   if (!setup.integrator.empty()) require("integrator", setup.integrator, names(engine.integrators));
   for (const auto& [name, value] : setup.options) {
     require("option", name, names(engine.options));
-    if (name == "sweeps") {
-      options.sweeps = sweeps_of(value);
-      continue;
+    for (const WholeNumber& row : whole_numbers)
+      if (name == row.name) options.*row.to = number_of(row, value);
+    for (const Switch& row : switches) {
+      if (name != row.name) continue;
+      require(name, value, {row.usual, row.other});
+      options.*row.on = (value == row.other) == row.is_other;
     }
-    const auto option =
-        std::find_if(engine.options.begin(), engine.options.end(),
-                     [&, wanted = name](const core::Option& row) { return row.name == wanted; });
-    require(name, value, option->values);
-    if (name == "model") options.full = value == "full";
-    if (name == "joints") options.constraints = value == "constraints";
-    if (name == "account") options.account = value == "yes";
   }
   options.path = setup.path;
   if (!setup.integrator.empty()) options.integrator = setup.integrator;
@@ -320,12 +340,13 @@ class InHouse final : public core::Simulator {
                                     ? "bound on the error at the samples, of the scales of the motion"
                                     : "bound on the error of each step, of the scales of the motion"});
     }
-    if (options.sweeps > 0)
-      terms.settings.push_back({"sweeps", fmt::format("{}", options.sweeps), "10", "asked for"});
-    if (options.constraints) terms.settings.push_back({"joints", "constraints", "reduced", "asked for"});
-    if (options.account) terms.settings.push_back({"account", "yes", "no", "asked for"});
-    if (options.full)
-      terms.settings.push_back({"model", "full", "planned", "every stage runs, needed or not"});
+    const engine::Options usual;
+    for (const WholeNumber& row : whole_numbers)
+      if (const int number = options.*row.to; number != usual.*row.to)
+        terms.settings.push_back({row.name, fmt::format("{}", number), row.usual, "asked for"});
+    for (const Switch& row : switches)
+      if (options.*row.on != usual.*row.on)
+        terms.settings.push_back({row.name, row.other, row.usual, "asked for"});
     terms.unforceable = path.unforceable;
     for (const engine::Stage& stage : plan.stages) terms.plan.push_back({stage.name, stage.in, stage.reason});
     return terms;

@@ -202,6 +202,22 @@ TEST(PileCrowd, WhoIsHitWhileFewTouchGoesOn) {
   EXPECT_NEAR(place_of_struck(6), alone, Real(0.02));
 }
 
+// Where nothing sleeps, what lies still is swept in every step: it may creep, and costs what it cost.
+TEST(PileCrowd, NothingRestsWhereThatIsNotWanted) {
+  const Model model = columns();
+  PileSettings settings;
+  const auto sleeps = make_pile(model, dt, settings);
+  settings.rest = false;
+  const auto wakes = make_pile(model, dt, settings);
+  after(*sleeps, 20), after(*wakes, 20);
+  const std::int64_t asleep = sleeps->operations(), awake = wakes->operations();
+  const auto end = after(*sleeps, 20), moved = after(*wakes, 20);
+  EXPECT_EQ(fastest(end), 0);
+  EXPECT_GT(fastest(moved), 0);
+  EXPECT_LT(fastest(moved), Real(1e-3));
+  EXPECT_GT(wakes->operations() - awake, 5 * (sleeps->operations() - asleep));
+}
+
 TEST(PileCrowd, GivesTheSameBitsOnAnyNumberOfThreads) {
   const Model model = dropped(4, 3);
   PileSettings settings;

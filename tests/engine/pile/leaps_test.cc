@@ -131,14 +131,68 @@ TEST(Leaps, AreOfSecondOrderWhereNothingStrikes) {
         Row{"two beams swing", [] { return swings(true); }, Real(0.4)}}) {
     const Model model = row.model();
     std::vector<Motion> ends;
-    for (const int steps : {40, 80, 160, 320})
-      ends.push_back(
-          after(*std::make_unique<pile::BodyPile>(model, row.seconds / steps, PileSettings{}), steps)[0]);
+    for (const int steps : {40, 80, 160, 320}) {
+      pile::BodyPile pile(model, row.seconds / steps, PileSettings{});
+      EXPECT_EQ(pile.order_so_far(), 1) << "nothing is known before the first step";
+      ends.push_back(after(pile, steps)[0]);
+      EXPECT_EQ(pile.order_so_far(), 2) << row.name;
+    }
     for (std::size_t k = 0; k + 2 < ends.size(); ++k) {
       const Real coarse = end_apart(ends[k], ends[k + 1]), fine = end_apart(ends[k + 1], ends[k + 2]);
       EXPECT_GT(coarse, 1e-9) << row.name;  // there is something to see
       EXPECT_GE(std::log2(coarse / fine), 1.9) << row.name << ": " << coarse << ", then " << fine;
     }
+  }
+}
+
+// The order that is told: 2 until something strikes, a contact is swept or a step is too long for its forces.
+TEST(Leaps, TellTheirOrder) {
+  const auto order = [](const Model& model, Time dt, int steps) {
+    pile::BodyPile pile(model, dt, PileSettings{});
+    after(pile, steps);
+    return pile.order_so_far();
+  };
+  Model falls = pile_model(Real(0.5), 0);
+  add_box(falls, 2, Vector3::Constant(Real(0.2)), {0, Real(0.7), 0});  // strikes after 0.32 s
+  EXPECT_EQ(order(falls, 0.01, 30), 2);
+  EXPECT_EQ(order(falls, 0.01, 35), 1);
+  EXPECT_EQ(order(falls, 0.01, 90), 1) << "it struck, whatever came after";
+
+  Model resists = slides_on_a_spring();
+  EXPECT_EQ(order(resists, 0.01, 20), 2);
+  resists.forces.drags[0].linear = 400;  // half of what does not overshoot is 1/200 s
+  EXPECT_EQ(order(resists, 0.01, 20), 1);
+
+  Model many = pile_model(0, Real(0.5));  // 20 cubes in one group of more than 64 points
+  for (int i = 0; i < 20; ++i)
+    add_box(many, 1, Vector3::Constant(Real(0.5)), {static_cast<Real>(i), Real(0.5), 0}, {1, 0, 0});
+  EXPECT_EQ(order(many, 0.01, 5), 1);
+
+  Model alone = pile_model(0, 0, false);  // energy that never rises is worth more there
+  for (int i = 0; i < 2; ++i)
+    add_box(alone, 1, Vector3::Constant(Real(0.5)), {2 * static_cast<Real>(i), 0, 0});
+  EXPECT_EQ(order(alone, 0.01, 5), 1);
+}
+
+// In the words of the run, and in what is told beside them.
+TEST(Leaps, RunsTellTheirOrder) {
+  Options options = with("auto", 0.01);
+  options.path = "stepping";
+  for (const bool strikes : {false, true}) {
+    Model model = slides_and_spins();
+    if (strikes) model.motions[0].position.y() += Real(0.1);
+    World world(model, options);
+    const auto told = [&](int order) {
+      const std::vector<Diagnostic> all = world.diagnostics();
+      ASSERT_EQ(all.size(), 1u);
+      EXPECT_EQ(all[0].kind, DiagnosticKind::error_not_controlled);
+      EXPECT_EQ(all[0].island.order, order);
+      EXPECT_NE(sentence(all[0]).find("fixed steps of order " + std::to_string(order)), std::string::npos);
+    };
+    told(1);
+    world.advance(30);
+    told(strikes ? 1 : 2);
+    EXPECT_EQ(world.plan().order, 1) << "nobody knows before the run";
   }
 }
 
