@@ -190,6 +190,12 @@ function(hostile_test script)
   set_tests_properties(hostile/${script} PROPERTIES LABELS hostile COST ${long_test})
 endfunction()
 
+# slow_test(name command…): what takes an hour or uses every core; only ./test slow runs it, alone.
+function(slow_test name)
+  add_test(NAME slow/${name} COMMAND ${ARGN})
+  set_tests_properties(slow/${name} PROPERTIES LABELS slow RUN_SERIAL ON)
+endfunction()
+
 # launcher_test(launcher): shards that GNU parallel or Slurm starts on this machine.
 function(launcher_test launcher)
   add_test(NAME launcher/${launcher} COMMAND ${PROJECT_SOURCE_DIR}/tests/harness/cli/launchers.sh ${launcher} $<TARGET_FILE:cylon>)

@@ -11,6 +11,7 @@ Links and the paths of files in the text are checked too: each must exist.
 """
 import argparse
 import difflib
+import fnmatch
 import json
 import math
 import os
@@ -187,6 +188,22 @@ def counterfactual(c):
     return f"{c['scenario']}, {claim}, `{c['engine']}`: with {', '.join(changed)} {then}"
 
 
+SHOWN = ["Tested", "Changes nothing, and so is not the cause", "Solvable by another engine, which tests no mechanism", "Not expressible"]
+
+
+def shows(c, rows, power):
+    """What a pair of runs shows, as tests/conformance/causes_test.cc has it."""
+    refused = any(row["status"] == "unsupported" and row["scenario"] == c["scenario"] and row["engine"] == c["engine"] and
+                  fnmatch.fnmatchcase(row["claim"], c["claim"]) for row in rows)
+    if refused:
+        return SHOWN[3]
+    other = c.get("other_engine", c["engine"])
+    if "becomes" in c:
+        return SHOWN[2] if other.startswith("in-house") and not c["engine"].startswith("in-house") else SHOWN[0]
+    stays = other.split("/")[0] == c["engine"].split("/")[0] and c.get("at_least", 0) <= 1 <= c.get("at_most", math.inf)
+    return SHOWN[1] if stays and power != 0 else SHOWN[0]
+
+
 def causes(_):
     rows = tomllib.loads((root / "scenarios/data/expected_rows.toml").read_text())["row"]
     lines = []
@@ -199,7 +216,9 @@ def causes(_):
                   f"- Explains {len(own)} verdicts on {', '.join(engines)}: {', '.join(scenarios)}."]
         if "note" in cause:
             lines.append(f"- Note: {cause['note']}")
-        lines += ["- Tested:"] + [f"  - {counterfactual(c)}" for c in cause["counterfactual"]]
+        for kind in SHOWN:
+            pairs = [c for c in cause["counterfactual"] if shows(c, own, cause.get("power")) == kind]
+            lines += [f"- {kind}:"] * bool(pairs) + [f"  - {counterfactual(c)}" for c in pairs]
     return "\n".join(lines[1:])
 
 

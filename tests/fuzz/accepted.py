@@ -2,12 +2,15 @@
 """Asks every part that gets a scene whether it takes what the reader accepts, over random scenes (targets/random_scene.h).
 
     cmake/build.py release accepted
-    tests/fuzz/accepted.py build/release/accepted [--scenes 100000] [--minutes N]
+    tests/fuzz/accepted.py build/release/accepted [--scenes 100000] [--minutes N] [--anew] [--sample N]
 
-Scene n is a function of n and of the shipped scenes.  Counts are kept in tests/hostile/counts/accepted.json, and a later call
-goes on with new scenes until as many were tried as asked for.  A scene is a finding if a part refuses it, or if a unit of
+Scene n is a function of n and of the shipped scenes.  Counts are kept in tests/hostile/counts/accepted.json with the program
+and the commit that they are of, and a later call goes on with new scenes until as many were tried as asked for.  Counts of
+another program are left as they are, unless --anew puts them aside and begins again; --sample tries the next N scenes and
+keeps no count.  A scene is a finding if a part refuses it, or if a unit of
 scenes crashes or takes too long; later calls ask it again until it is none.  The last line is JSON: tried, failed (units with
-findings), the same of each part; --scenes 0 gives it without new scenes."""
+findings), the same of each part; --scenes 0 gives it without new scenes.
+Exit codes: 0, 1 where a scene is a finding, 2 where counts of another program stood in the way."""
 import argparse
 import json
 import os
@@ -17,7 +20,7 @@ import sys
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "hostile"))
-from counted import Counted  # noqa: E402
+from counted import Counted, program_of  # noqa: E402
 
 UNIT = 250  # scenes of one process
 SECONDS = 600  # that a unit may take; most take ten
@@ -42,8 +45,14 @@ def main():
     parser.add_argument("program", nargs="?", default="build/release/accepted")
     parser.add_argument("--scenes", type=int, default=100000)
     parser.add_argument("--minutes", type=float, default=1e9)
+    parser.add_argument("--anew", action="store_true")
+    parser.add_argument("--sample", type=int)
     options = parser.parse_args()
-    counted = Counted("accepted")
+    counted, before = Counted("accepted"), 0
+    if options.sample:
+        before, counted = counted.get(PART, "tried"), Counted()
+        counted.set(PART, tried=before)
+        options.scenes = before + options.sample
 
     def ask(first):
         """Notes the unit as open where it has a finding."""
@@ -54,15 +63,16 @@ def main():
             print(said, flush=True)
         return accepted
 
+    of_this = options.sample or not options.scenes or counted.may_go_on(PART, program_of(options.program), options.anew)
     for first in counted.get(PART, "open") or []:
         ask(first)
     end = time.monotonic() + 60 * options.minutes
-    while counted.get(PART, "tried") < options.scenes and time.monotonic() < end:
+    while of_this and counted.get(PART, "tried") < options.scenes and time.monotonic() < end:
         accepted = ask(counted.get(PART, "tried"))
         counted.add(PART, tried=UNIT, accepted=accepted)
     failed = counted.total("failed")
-    print(json.dumps({"tried": counted.total("tried"), "failed": failed, "parts": counted.parts}))
-    return 1 if failed else 0
+    print(json.dumps({"tried": counted.total("tried") - before, "failed": failed, "parts": counted.parts}))
+    return 1 if failed else 0 if of_this else 2
 
 
 if __name__ == "__main__":

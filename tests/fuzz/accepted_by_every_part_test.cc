@@ -65,5 +65,17 @@ TEST(AcceptedByEveryPart, FindsWhatAPartRefuses) {
   EXPECT_NE(objection(scenario), "");
 }
 
+// As many bodies were enough for a written scene to count as the same.
+TEST(AcceptedByEveryPart, FindsAWrittenSceneThatIsAnother) {
+  scenario::Scenario scenario = scenario::parse(
+      "duration = 1\nstep = 0.125\n[[body]]\nname = \"b\"\nmass = 1\n[[claim]]\nconserves = \"velocity\"\n"
+      "tolerance = { absolute = 1, reason = \"none\" }\n",
+      "one.toml");
+  EXPECT_EQ(objection(scenario), "");
+  // A file is read with unit quaternions, so that this one comes back otherwise, by more than rounding.
+  scenario.scene.bodies.front().initial.orientation.w() = 1 + 1e-12;
+  EXPECT_EQ(objection(scenario), "writer: the written scene has another /body/0/orientation/0");
+}
+
 }  // namespace
 }  // namespace cylon::fuzz

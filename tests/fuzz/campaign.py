@@ -4,11 +4,14 @@
     tests/fuzz/campaign.py [--build build/fuzz] [--seconds 60] [--rounds N] [--executions N] [--minutes N] [TARGET…]
 
 Each round gives every target that many seconds on one core; it goes on until the rounds are done, the executions of all
-rounds that ever were are as many as asked for, or the minutes are over.  Counts are kept in tests/hostile/counts/fuzz.json;
-what a target has learned in BUILD/campaign/TARGET/; bytes that it did not take (crash, more than 10 s, more than 1 GB) in
-BUILD/campaign/findings/, until it takes them.  The last line is JSON: executions so far and open findings, together and
-of each target; --rounds 0 gives it alone.  Exit codes: 0 no open finding, 1 open findings, 2 a target is not built."""
+rounds that ever were are as many as asked for, or the minutes are over.  Counts are kept in tests/hostile/counts/fuzz.json,
+with the program and the commit that they are of; those of another program are put aside there.  What a target has learned is
+kept in BUILD/campaign/TARGET/.  Bytes that it did not take (crash, more than 10 s, more than 1 GB) are open until it takes
+them: they stand in the counts, so that every clone knows them, and in BUILD/campaign/findings/.  The last line is JSON:
+executions of these programs and open findings, together and of each target; --rounds 0 gives it alone.  Exit codes: 0 no open
+finding, 1 open findings, 2 a target is not built, or does not run."""
 import argparse
+import base64
 import itertools
 import json
 import os
@@ -20,7 +23,7 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests/hostile"))
-from counted import Counted  # noqa: E402
+from counted import Counted, program_of  # noqa: E402
 
 LONGEST = 4096  # bytes of an input
 OPTIONS = ["-timeout=10", "-rss_limit_mb=1024", f"-max_len={LONGEST}", "-print_final_stats=1", "-verbosity=0"]
@@ -45,33 +48,67 @@ def seed(name, glob, folder):
             (folder / f"seed-{file.name}").write_bytes(file.read_bytes())
 
 
-def still_open(name, build):
-    """How many of the kept findings the target still does not take; the others are deleted."""
-    kept = sorted((build / "campaign/findings").glob(f"{name}-*"))
-    for file in kept:
-        if subprocess.run([build / f"fuzz-{name}", *OPTIONS, file], env={**os.environ, **ENVIRONMENT}, capture_output=True,
-                          check=False).returncode == 0:
-            file.unlink()
-    return sum(file.exists() for file in kept)
+def findings_of(name, build):
+    """Files of bytes that the target did not take, and when each was written."""
+    return {file: file.stat().st_mtime_ns for file in (build / "campaign/findings").glob(f"{name}-*")}
+
+
+def still_open(name, build, counted):
+    """How many of the findings the target still does not take; the others are forgotten.  Those of other machines are asked
+    too.  Where the target is not built nobody can tell, and all that are known stay open."""
+    known = counted.get(name, "open") or {}
+    if (build / f"fuzz-{name}").exists():
+        folder = build / "campaign/findings"
+        folder.mkdir(parents=True, exist_ok=True)
+        for file, content in known.items():
+            (folder / file).write_bytes(base64.b64decode(content))
+        for file in sorted(findings_of(name, build)):
+            if subprocess.run([build / f"fuzz-{name}", *OPTIONS, file], env={**os.environ, **ENVIRONMENT}, capture_output=True,
+                              check=False).returncode == 0:
+                file.unlink()
+        now = {file.name: base64.b64encode(file.read_bytes()).decode() for file in sorted(findings_of(name, build))}
+        if now != known:
+            counted.set(name, open=now)
+        known = now
+    return len(known)
 
 
 def turn(name, build, seconds, counted):
-    """One target for some seconds, or until its first finding."""
+    """One target for some seconds, or until its first finding.  False where it does not run, and so finds nothing."""
     corpus, findings = build / "campaign" / name, build / "campaign/findings"
     findings.mkdir(parents=True, exist_ok=True)
-    start = time.monotonic()
+    before, start = findings_of(name, build), time.monotonic()
     ran = subprocess.run([build / f"fuzz-{name}", *OPTIONS, f"-max_total_time={seconds}",
                           f"-artifact_prefix={findings}/{name}-", corpus],
                          env={**os.environ, **ENVIRONMENT}, capture_output=True, check=False)
     said = ran.stderr.decode("utf8", "replace")
     executed = EXECUTED.search(said)
     executions = int(executed[1]) if executed else 0
-    found = int(ran.returncode != 0)
+    found = ran.returncode != 0
+    if (found or not executed) and findings_of(name, build) == before:
+        print(f"{name} does not run: exit code {ran.returncode}, no finding\n{said[-6000:]}", file=sys.stderr, flush=True)
+        return False
+    counted.may_go_on(name, program_of(build / f"fuzz-{name}"), anew=True)
     counted.add(name, executions=executions)
     print(f"{name}: {executions} executions, {executions / (time.monotonic() - start):.0f} a second"
           + (", a finding" if found else ""), flush=True)
     if found:
         print(said[-6000:], flush=True)
+        still_open(name, build, counted)  # noted at once: who stops the campaign keeps it
+    return True
+
+
+def executed_ever(counted):
+    """Of all programs."""
+    return sum(row.get("executions", 0) for part in counted.parts.values() for row in [part, *part.get("before", [])])
+
+
+def told(counted, name, build):
+    """What the last line says of a target."""
+    part = {"tried": counted.get(name, "executions"), "failed": still_open(name, build, counted)}
+    row = counted.parts.get(name, {})
+    before = [{"commit": old.get("commit"), "tried": old["executions"]} for old in row.get("before", [])]
+    return part | {key: value for key, value in (("commit", row.get("commit")), ("before", before)) if value}
 
 
 def main():
@@ -96,10 +133,11 @@ def main():
     end = time.monotonic() + 60 * options.minutes if options.minutes else None
     turns = itertools.cycle(wanted)
     for name in turns if rounds is None else itertools.islice(turns, rounds * len(wanted)):
-        if options.executions and counted.total("executions") >= options.executions or end and time.monotonic() >= end:
+        if options.executions and executed_ever(counted) >= options.executions or end and time.monotonic() >= end:
             break
-        turn(name, build, options.seconds, counted)
-    parts = {name: {"tried": counted.get(name, "executions"), "failed": still_open(name, build)} for name in wanted}
+        if not turn(name, build, options.seconds, counted):
+            return 2
+    parts = {name: told(counted, name, build) for name in wanted}
     total = {key: sum(part[key] for part in parts.values()) for key in ("tried", "failed")}
     print(json.dumps({**total, "parts": parts}))
     return 1 if total["failed"] else 0

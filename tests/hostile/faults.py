@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Lets one call of the system fail in a command, and lets the command go on afterwards.
 
-    tests/hostile/faults.py CYLON [--trials N] [--sample N] [--seed S] [run/malloc|trade/fork|…]
+    tests/hostile/faults.py CYLON [--trials N] [--anew] [--sample N] [--seed S] [run/malloc|trade/fork|…]
 
 Kinds of calls: malloc, fork, pipe, thread, write, sync, rename (fault.cc, which is loaded before the C library and counts in
 the harness's process alone).  Of every command and kind each call fails once, in a run of its own; allocations, which are
@@ -9,13 +9,13 @@ many, by their place, the chain of callers: of each place the first, and of ever
 run must end by itself with an exit code 0, 1, 2 or 5.  With 0 and 1 its output must be that of an undisturbed run.  With 2
 and 5 it must say why, and the command that goes on, undisturbed, must give that output.  No draft of a file may be left.
 
-Calls are tried in an order that spreads over the whole run.  Counts are kept in counts/faults.json, and a later call goes on
-where the last one stopped, with places from the start where the program is another; --trials limits the trials of this
-call, --sample makes N trials of each and keeps no count.
-The last line is JSON: tried (runs in which a call failed), failed, the same of each part, with the number of its calls."""
+Calls are tried in an order that spreads over the whole run.  Counts are kept in counts/faults.json with the program and the
+commit that they are of, and a later call goes on where the last one stopped.  Counts of another program are left as they
+are, unless --anew puts them aside and begins again.  --trials limits the trials of this call, --sample makes N trials of each
+and keeps no count.  The last line is JSON: tried (runs in which a call failed), failed, the same of each part, with the
+number of its calls.  Exit codes: 0, 1 where a trial failed, 2 where counts of another program stood in the way."""
 import argparse
 import bisect
-import hashlib
 import json
 import math
 import os
@@ -25,7 +25,7 @@ import subprocess
 import sys
 import tempfile
 
-from counted import Counted
+from counted import Counted, program_of
 from kills import COMMANDS
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -42,13 +42,6 @@ def compile_library(folder):
     subprocess.run(["c++", "-std=c++20", "-O1", "-Wall", "-Wextra", "-Werror", "-shared", "-fPIC", "-o", str(library),
                     str(HERE / "fault.cc"), "-ldl"], check=True)
     return library
-
-
-def program_of(cylon):
-    """Changes with the code of the program, and with it the places of calls."""
-    code = subprocess.run(["objcopy", "-O", "binary", "--only-section=.text", cylon, "/dev/stdout"], capture_output=True,
-                          check=True).stdout
-    return hashlib.sha256(code).hexdigest()[:12]
 
 
 def started(command, words, here, library=None, kind="", n=0, place=ANY):
@@ -159,8 +152,8 @@ class Part:
         self.expected = code, self.command.facts(whole)
         count, *lines = told.splitlines()
         self.calls = int(count)
-        self.size = {"places": len(lines)} if by_places else {"calls": self.calls}
         self.plan = sorted(by_place(lines) if by_places else by_number(self.calls))
+        self.size = {"places": len(lines), "trials_of_places": len(self.plan)} if by_places else {"calls": self.calls}
 
     def after(self, key):
         """The next call of the plan, or None."""
@@ -200,6 +193,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("cylon")
     parser.add_argument("--trials", type=int)
+    parser.add_argument("--anew", action="store_true")
     parser.add_argument("--sample", type=int)
     parser.add_argument("--seed", type=int, default=20261123)
     parser.add_argument("parts", nargs="*")
@@ -215,10 +209,10 @@ def main():
         library = compile_library(folder) if left else None
         if left and not control(cylon, folder, library):
             sys.exit("the control was not found: what fails would not be seen")
-        program, parts = program_of(cylon), {}
-        for name in names:
-            if left and name.endswith(BY_PLACE) and counted.parts.get(name, {}).get("program") != program:
-                counted.set(name, program=program, tried=0, failed=0, trials=0, done=0, last="")
+        parts, asked = {}, names
+        if left and not options.sample:
+            program = program_of(cylon)
+            names = [name for name in asked if counted.may_go_on(name, program, options.anew)]
         while left > 0 and (open_parts := [name for name in names if not counted.get(name, "done")]):
             for name in open_parts:  # in turns, so that a campaign that is stopped has asked all alike
                 if name not in parts:
@@ -237,7 +231,7 @@ def main():
                     break
     failed = counted.total("failed")
     print(json.dumps({"tried": counted.total("tried"), "failed": failed, "parts": counted.parts}))
-    return 1 if failed else 0
+    return 1 if failed else 0 if names == asked else 2
 
 
 if __name__ == "__main__":

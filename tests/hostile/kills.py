@@ -1,15 +1,17 @@
 #!/usr/bin/env python3
 """Kills commands at random moments and lets them go on.
 
-    tests/hostile/kills.py CYLON [--kills 1000] [--sample N] [--seed S] [run|shards|farm|trade|record|import …]
+    tests/hostile/kills.py CYLON [--kills 1000] [--anew] [--sample N] [--seed S] [run|shards|farm|trade|record|import …]
 
 A trial of run, shards, trade or record is killed (SIGKILL) one to three times and resumed each time; one of import is
 repeated.  Shards are three parts of a run and their merge, one after the other.  A farm is two ranks of MPI, of which one is killed;
 where MPI is not here there is none.
 In the end its output must be that of a command that nobody killed, times left out, and no whole line of a journal may be
-lost on the way.  Trial n is a function of seed and n.  Counts are kept in counts/kills.json, and a later call goes
-on with new trials until each command was killed as often as asked for; --sample makes N trials of each and keeps no count.
-The last line is JSON: tried (kills that met a living command), failed (trials), the same of each command."""
+lost on the way.  Trial n is a function of seed and n.  Counts are kept in counts/kills.json with the program and the commit
+that they are of, and a later call goes on with new trials until each command was killed as often as asked for.  Counts of
+another program are left as they are, unless --anew puts them aside and begins again.  --sample makes N trials of each and
+keeps no count.  The last line is JSON: tried (kills that met a living command), failed (trials), the same of each command.
+Exit codes: 0, 1 where a trial failed, 2 where counts of another program stood in the way."""
 import argparse
 import json
 import os
@@ -22,7 +24,7 @@ import sys
 import tempfile
 import time
 
-from counted import Counted
+from counted import Counted, program_of
 
 # Two scenes, as small as scenes can be: what is looked at is what is kept, not what moves.
 SCENE = """duration = 0.2
@@ -320,6 +322,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("cylon")
     parser.add_argument("--kills", type=int, default=1000)
+    parser.add_argument("--anew", action="store_true")
     parser.add_argument("--sample", type=int)
     parser.add_argument("--seed", type=int, default=20261123)
     parser.add_argument("commands", nargs="*")
@@ -333,14 +336,18 @@ def main():
 
     if not control(os.path.abspath(options.cylon)):
         sys.exit("the control was not found: what is lost would not be seen")
+    asked = names = options.commands or are_here(options.cylon)
+    if options.kills and not options.sample:
+        program = program_of(options.cylon)
+        names = [name for name in asked if counted.may_go_on(name, program, options.anew)]
     # In turns of fifty kills, so that a campaign that is stopped has asked all commands alike.
     for kills in range(50, options.kills + 50, 50):
-        for name in options.commands or are_here(options.cylon):
+        for name in names:
             if wanted(name, kills) is not None:
                 campaign(name, os.path.abspath(options.cylon), options.seed, lambda: wanted(name, kills), counted.add)
     failed = counted.total("failed")
     print(json.dumps({"tried": counted.total("tried"), "failed": failed, "parts": counted.parts}))
-    return 1 if failed else 0
+    return 1 if failed else 0 if names == asked else 2
 
 
 if __name__ == "__main__":

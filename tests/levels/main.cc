@@ -1,7 +1,8 @@
-// levels_study CASE COUNT FILE [LOW HIGH [EXPERIMENT TOSSES]]: experiments of seeds 0 … COUNT - 1, a line of FILE each; what FILE
-// has is not done again.  Then how often intervals held the truth and the model was refused, with Clopper and Pearson's intervals of
-// 95 %.  Exit code 1 where an interval by the stated uncertainties held it in less than LOW or more than HIGH per cent.  EXPERIMENT
-// TOSSES: the case "cube", so many tosses of that file, made and fitted by the engine in this program.
+// levels_study CASE SEEDS FILE [LOW HIGH [EXPERIMENT TOSSES]]: an experiment of each seed, a line of FILE each; SEEDS is a number
+// N, for 0 to N - 1, or FIRST-LAST.  What FILE has is not done again.  Then how often intervals held the truth and the model was
+// refused, with Clopper and Pearson's intervals of 95 %.  Exit code 1 where an interval by the stated uncertainties held it in
+// less than LOW or more than HIGH per cent.  EXPERIMENT TOSSES: the case "cube", so many tosses of that file, made and fitted by
+// the engine in this program.
 #include "harness/tracking/statistics/proportion.h"
 #include "tests/levels/in_process.h"
 #include "tests/levels/levels.h"
@@ -36,6 +37,13 @@ std::vector<levels::Case> cube_cases(const std::string& file, int count) {
   return {{"cube", e, truth, levels::in_process(), levels::in_process()}};
 }
 
+// "1000": 0 to 999; "1000-1999": those.
+std::pair<std::uint64_t, std::uint64_t> first_and_end(const std::string& seeds) {
+  const std::size_t dash = seeds.find('-');
+  if (dash == std::string::npos) return {0, std::stoull(seeds)};
+  return {std::stoull(seeds.substr(0, dash)), std::stoull(seeds.substr(dash + 1)) + 1};
+}
+
 std::string share(const std::string& what, std::size_t hits, std::size_t trials) {
   const auto i = statistics::proportion_interval(hits, trials, 0.025);
   return fmt::format("{:<28} {:5.1f} % [{:.1f}, {:.1f}]\n", what,
@@ -48,14 +56,14 @@ std::string share(const std::string& what, std::size_t hits, std::size_t trials)
 int main(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
   if (words.size() < 3) {
-    std::cerr << "levels_study CASE COUNT FILE [LOW HIGH [EXPERIMENT TOSSES]]\n";
+    std::cerr << "levels_study CASE SEEDS FILE [LOW HIGH [EXPERIMENT TOSSES]]\n";
     return 2;
   }
   const std::string &name = words[0], &file = words[2];
   const std::vector<levels::Case> cases =
       words.size() > 6 ? cube_cases(words[5], std::stoi(words[6])) : levels::ball_cases();
   const levels::Case& what = levels::find(cases, name);
-  const auto count = std::stoull(words[1]);
+  const auto [first, end] = first_and_end(words[1]);
   std::map<std::uint64_t, std::string> done;
   {
     std::ifstream in(file);
@@ -68,7 +76,7 @@ int main(int argc, char** argv) {
       }
   }
   std::ofstream out(file, std::ios::app);
-  for (std::uint64_t seed = 0; seed < count; ++seed) {
+  for (std::uint64_t seed = first; seed < end; ++seed) {
     if (done.contains(seed)) continue;
     const levels::Trial trial = levels::trial(what, seed);
     std::string bits;
@@ -77,9 +85,9 @@ int main(int argc, char** argv) {
     bits += trial.told ? '1' : '0', bits += trial.settled ? '1' : '0';
     out << fmt::format("{} {} ;\n", seed, bits) << std::flush;
     done[seed] = bits;
-    std::cerr << fmt::format("\r{} of {}", done.size(), count) << std::flush;
+    std::cerr << fmt::format("\r{} of {}", done.size(), end - first) << std::flush;
   }
-  std::erase_if(done, [&](const auto& one) { return one.first >= count; });
+  std::erase_if(done, [&](const auto& one) { return one.first < first || one.first >= end; });
   std::cerr << "\r";
   std::cout << fmt::format("{}: {} experiments of {} runs\n", what.name, done.size(), what.like.runs.size());
   const std::size_t k = what.truth.size();

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Changes single tokens of the in-house engine, one at a time, and asks the shipped claims which changes they see.
 
-    tests/mutants/generated.py [--build build/release] [--seed 1] [--count 200] [--scenes 8] [--out FILE]
+    tests/mutants/generated.py [--build build/release] [--seed 1] [--count 200] [--scenes 8] [--out FILE] [--known FILE]
 
 All changes are compiled into one worker (target cylon-worker-mutated); CYLON_MUTANT=n chooses one when it runs, 0 none.
 A change is tried in scenes whose run reaches its line, the shortest first.  It is
@@ -10,7 +10,9 @@ A change is tried in scenes whose run reaches its line, the shortest first.  It 
   small     where the motion differs by less,
   neutral   where no bit of the motion differs,
   unreached where no shipped scene comes to its line.
-Lists all but the killed ones; ends with 1 if one is unseen.  Same seed, same changes.
+Lists all but the killed ones.  Changes that are known to be unseen stand in unseen.txt beside this script, and are tried
+whatever the seed draws.  Ends with 1 if another one is unseen, and if one of the list is not: it is seen now, or its statement
+is no longer there.  Same seed and same engine, same changes.
 """
 import argparse
 import concurrent.futures
@@ -27,6 +29,8 @@ import sys
 import tempfile
 
 root = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(root / "tests/hostile"))
+from counted import program_of  # noqa: E402
 
 # What a token becomes.  Each keeps the type of its expression, or the compiler says that it does not.
 SWAPS = [(r"(?<=[\w)\]] )\+(?= )", "-"), (r"(?<=[\w)\]] )-(?= )", "+"), (r"(?<=[\w)\]] )\*(?= )", "/"),
@@ -182,6 +186,29 @@ def difference(first, second):
     return worst
 
 
+def listed(file):
+    """(file, statement, changed statement) -> scene, of the changes that are known to be unseen."""
+    rows = [line.split("\t") for line in file.read_text().splitlines() if line and not line.startswith("#")]
+    return {tuple(row[:3]): row[3] for row in rows}
+
+
+def named(change):
+    """A change without its line, which moves."""
+    return str(change[0]), change[2], change[3]
+
+
+def differences(known, judged):
+    """What the list of unseen changes says otherwise than the verdicts, (named change, verdict, scene) each, in words."""
+    unseen = {name for name, verdict, _ in judged if verdict == "unseen"}
+    for name, verdict, scene in judged:
+        if verdict == "unseen" and name not in known:
+            yield f"new, unseen in {scene}: {' | '.join(name)}"
+    for name in known:
+        if name not in unseen:
+            now = [f"{verdict} {scene}".strip() for one, verdict, scene in judged if one == name]
+            yield f"listed as unseen, but {now[0] if now else 'there is no such statement'}: {' | '.join(name)}"
+
+
 ORDER = ["pass", "undecided", "low-quality", "fail", "non-finite", "unsupported", "timeout", "crash", "protocol"]
 
 
@@ -219,13 +246,17 @@ def main():
     parser.add_argument("--count", type=int, default=200)
     parser.add_argument("--scenes", type=int, default=8, help="scenes for each change that moves little")
     parser.add_argument("--out", type=pathlib.Path, help="one JSON line for each change; goes on where it ended")
+    parser.add_argument("--known", type=pathlib.Path, default=pathlib.Path(__file__).with_name("unseen.txt"))
     options = parser.parse_args()
 
     every = list(candidates())
     changes = random.Random(options.seed).sample(every, min(options.count, len(every)))
     print(f"{len(every)} changes are possible; {len(changes)} drawn with seed {options.seed}", flush=True)
+    known = listed(options.known)
+    changes += [change for change in every if named(change) in known and change not in changes]
     dropped = build(options, changes)
     set_programs_aside(options)
+    programs = " ".join(program_of(options.programs / name) for name in ("cylon", "cylon-worker-mutated"))
     print(f"{len(dropped)} do not compile", flush=True)
 
     listed = json.loads(subprocess.run([options.programs / "cylon", "list", "--json"], capture_output=True,
@@ -251,22 +282,23 @@ def main():
 
     done = {}
     if options.out and options.out.exists():
-        done = {(r["seed"], r["number"]): r for r in map(json.loads, options.out.read_text().splitlines())}
+        done = {(r.get("programs"), r["number"]): r for r in map(json.loads, options.out.read_text().splitlines())}
     def judge_one(number):
-        row = done.get((options.seed, number))
+        row = done.get((programs, number))
         if row:
             return row
         scenes = sorted(reached.get(number, ()), key=lambda s: (plain[s]["cost"], s))
         verdict, where, size = judge(options, number, scenes, plain) if scenes else ("unreached", "", 0)
         file, line, was, now = changes[number - 1]
-        return {"seed": options.seed, "number": number, "file": str(file), "line": line + 1, "was": was, "is": now,
+        return {"programs": programs, "number": number, "file": str(file), "line": line + 1, "was": was, "is": now,
                 "verdict": verdict, "scene": where, "moved": size}
 
-    counts = {}
+    counts, judged = {}, []
     numbers = [n for n in range(1, len(changes) + 1) if n - 1 not in dropped]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         for row in pool.map(judge_one, numbers):
-            if options.out and (options.seed, row["number"]) not in done:
+            judged.append((named(changes[row["number"] - 1]), row["verdict"], row["scene"]))
+            if options.out and (programs, row["number"]) not in done:
                 with options.out.open("a") as kept:
                     kept.write(json.dumps(row) + "\n")
             counts[row["verdict"]] = counts.get(row["verdict"], 0) + 1
@@ -274,7 +306,9 @@ def main():
                 print(f"{row['verdict']:9} {row['file']}:{row['line']}: {row['was']}  ->  {row['is']}  "
                       f"[{row['scene']} {row['moved']:.1e}]", flush=True)
     print(", ".join(f"{counts[k]} {k}" for k in sorted(counts)))
-    sys.exit(1 if counts.get("unseen") else 0)
+    wrong = list(differences(known, judged))
+    print("\n".join(wrong), end="\n" if wrong else "")
+    sys.exit(1 if wrong else 0)
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 // mutants [WORD…]: prints the kill matrix, of all or of the subjects with one of the words in their names;
 // exits 1 where a mutant lives, a right simulator is accused or deaths.txt is not current.
 // mutants --deaths: prints deaths.txt, by what each mutant dies.
-// mutants --static: prints static_scenes.txt, the scenes in which nothing moves.
+// mutants --static: prints static_scenes.txt, the scenes in which nothing moves or no law says whether anything does.
 #include "tests/mutants/matrix/deaths.h"
 #include "tests/mutants/matrix/matrix.h"
 #include "tests/mutants/matrix/shipped.h"
@@ -34,9 +34,15 @@ void print_static_scenes() {
       "# Generated: ./test mutants --static > tests/mutants/static_scenes.txt\n");
   for (const auto& file : shipped_scenarios()) {
     const auto scenario = cylon::scenario::load(file);
+    if (std::ranges::find(undecided(), scenario.name, &Undecided::scenario) != undecided().end()) continue;
     if (!dynamic(scenario, run_shipped(scenario, correct_subjects().front())))
       fmt::print("{}\n", scenario.name);
   }
+  fmt::print(
+      "# Shipped scenes in which bodies do move, and no law says how far, with the reason "
+      "(matrix/shipped.cc):\n"
+      "# a simulator that stands still is right.\n");
+  for (const Undecided& row : undecided()) fmt::print("{}\t{}\n", row.scenario, row.reason);
 }
 
 // Says which of the mutants die by another means than deaths.txt has; whether there are none.

@@ -10,7 +10,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace cylon::fuzz {
 namespace {
@@ -31,12 +35,36 @@ std::string of_truths(const scenario::Scenario& scenario) {
   return "";
 }
 
+// Unit quaternions and axes, which the reader brings to length one: of what it has brought there the last bits
+// change again.
+bool normalised(const nlohmann::json::json_pointer& path) {
+  const std::string key = path.parent_pointer().empty() ? "" : path.parent_pointer().back();
+  return key == "orientation" || key.starts_with("axis");
+}
+
+// What differs between two scenes as workers get them, beyond the rounding of unit vectors; "" where nothing does.
+std::string difference(const nlohmann::json& one, const nlohmann::json& other) {
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();  // of the norm and of the quotient
+  if (one == other) return "";
+  for (const nlohmann::json& change : nlohmann::json::diff(one, other)) {
+    const nlohmann::json::json_pointer path(change.at("path").get<std::string>());
+    const bool numbers =
+        change.at("op") == "replace" && change.at("value").is_number() && one.at(path).is_number();
+    if (numbers && normalised(path) &&
+        std::abs(change.at("value").get<double>() - one.at(path).get<double>()) <= rounding)
+      continue;
+    return path.to_string();
+  }
+  return "";
+}
+
 // The viewer does not write what it cannot read back, and says so (view/record_file.h).
 std::string of_writer(const scenario::Scenario& scenario) {
   const std::string written = "duration = 1\nstep = 0.125\n" + scenario::to_toml(scenario.scene);
   if (written.size() > scenario::largest_input) return "";
   const core::Scene again = scenario::parse(written, scenario.file + ".written.toml").scene;
-  return again.bodies.size() == scenario.scene.bodies.size() ? "" : "the written scene has other bodies";
+  const std::string where = difference(process::to_json(scenario.scene), process::to_json(again));
+  return where.empty() ? "" : fmt::format("the written scene has another {}", where);
 }
 
 std::string of_sampling(const scenario::Scenario& scenario) {
