@@ -135,7 +135,7 @@ std::string_view name(Replayed::What what) {
 }
 
 Replayed replay(const Kept& card, const process::EngineChoice& engine, const process::Limits& limits) {
-  const std::vector<Fault> faults = examine(card.trial, engine, limits, {card.oracle, card.kind});
+  const std::vector<Fault> faults = examine(card.trial, engine, limits, {card.oracle, card.kind}).faults;
   if (faults.empty())
     return {refuses(card.trial, engine, limits) ? Replayed::What::refused : Replayed::What::fixed};
   const double now = faults[0].measured[0], ratio = now / card.measured;

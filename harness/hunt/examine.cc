@@ -24,6 +24,7 @@ using results::Status;
 using results::Verdict;
 
 constexpr double most_sensitive = 100;  // beyond it oracles of trajectories are silent
+constexpr std::size_t at_a_64th = 6;    // of the step: no more than truncation shows there
 
 std::optional<scenario::Scenario> scenario_of(const Trial& trial, const std::string& claim) {
   try {
@@ -68,17 +69,18 @@ class Examination {
               const Only& only)
       : trial_(std::move(trial)), engine_(engine), limits_(limits), only_(only) {}
 
-  std::vector<Fault> faults() {
+  Examined examined() {
     const auto plain = scenario_of(trial_, "");
     if (!plain) return {};
     trial_.scene = plain->scene;  // as a reader of the file has it
     for (const Oracle& oracle : oracles())
       if (wanted(oracle.name) && !oracle.undefined_in(trial_.scene)) defined_.push_back(&oracle);
-    if (!runs()) return std::move(found_);
-    ask_recordings();
-    ask_claims();
-    ask_relations();
-    return std::move(found_);
+    if (runs()) {
+      ask_recordings();
+      ask_claims();
+      ask_relations();
+    }
+    return {std::move(found_), first_.status == Status::unsupported};
   }
 
  private:
@@ -107,7 +109,6 @@ class Examination {
   // i-th step; nothing where there is no such run.
   template <class Measure>
   std::optional<Kind> asked_further(const Asked& asked, const Measure& measure) const {
-    constexpr std::size_t at_a_64th = 6;
     if (!asked.course.may_be_saturated()) return asked.course.fault();
     const std::optional<double> finer = measure(at_a_64th);
     if (!finer || !asked.course.falls_at_last(*finer)) return Kind::every_step;
@@ -152,11 +153,15 @@ class Examination {
       }
       Trial finest = trial_;
       finest.step = step(halvings - 1);
-      if (resolves(finest) == false) return false;
+      const std::optional<bool> resolved = resolves(finest);
+      if (resolved == false) return false;
+      const auto ends_without_numbers = [&](std::size_t i) {
+        const process::RunOutcome finer = outcome_at(i);
+        return finer.status == Status::pass && core::first_bad_step(*finer.recording);
+      };
       for (std::size_t i = 1; i < halvings; ++i)
-        if (const process::RunOutcome finer = outcome_at(i);
-            finer.status != Status::pass || !core::first_bad_step(*finer.recording))
-          return false;
+        if (!ends_without_numbers(i)) return false;
+      if (!resolved && !ends_without_numbers(at_a_64th)) return false;
       fault.detail = "not a number, at every step";
     }
     fault.by_time = first_.status == Status::timeout;
@@ -354,9 +359,9 @@ bool refuses(const Trial& trial, const process::EngineChoice& engine, const proc
   return first_step(trial, engine, limits).status == Status::unsupported;
 }
 
-std::vector<Fault> examine(const Trial& trial, const process::EngineChoice& engine,
-                           const process::Limits& limits, const Only& only) {
-  return Examination(trial, engine, limits, only).faults();
+Examined examine(const Trial& trial, const process::EngineChoice& engine, const process::Limits& limits,
+                 const Only& only) {
+  return Examination(trial, engine, limits, only).examined();
 }
 
 }  // namespace cylon::hunt

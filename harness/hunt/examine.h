@@ -38,8 +38,12 @@ process::RunOutcome first_step(const Trial&, const process::EngineChoice&, const
 /// Whether the engine refuses the scene.
 bool refuses(const Trial&, const process::EngineChoice&, const process::Limits&);
 
-/// A scene that the engine refuses has no faults.  Throws what process::run throws.
-std::vector<Fault> examine(const Trial&, const process::EngineChoice&, const process::Limits&,
-                           const Only& only = {});
+struct Examined {
+  std::vector<Fault> faults;
+  bool refused = false;  ///< By the engine, so that no oracle was asked.
+};
+
+/// Throws what process::run throws.
+Examined examine(const Trial&, const process::EngineChoice&, const process::Limits&, const Only& only = {});
 
 }  // namespace cylon::hunt

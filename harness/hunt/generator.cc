@@ -2,13 +2,13 @@
 
 #include "harness/hunt/dice.h"
 #include "harness/hunt/pieces.h"
+#include "harness/hunt/unusual.h"
 #include "harness/hunt/weak_spots.h"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -227,7 +227,25 @@ constexpr std::array all = {
     Family{"slide", "one box that slides", 1, 0, make_slide},
     Family{"tower", "equal cubes on each other, now and then under a heavy one", 1, 0, make_tower},
     Family{"cradle", "balls in a row that touch, and one that hits them", 1, 0, make_cradle},
+    Family{"furniture", "solids that fall onto locked ones, one pair with a material of its own", 1, 0,
+           make_furniture, true},
+    Family{"points and parts", "hulls and compounds that fly, spin and hit", 1, 0, make_points_and_parts,
+           true},
+    Family{"bath", "solids in water", 1, 0, make_bath, true},
 };
+
+// One of the families that are unusual, or are not, as often as its weight says.
+const Family& some_family(Dice& dice, bool unusual) {
+  int sum = 0;
+  for (const Family& family : all) sum += family.unusual == unusual ? family.weight : 0;
+  auto pick = static_cast<int>(dice.below(static_cast<std::size_t>(sum)));
+  for (const Family& family : all) {
+    if (family.unusual != unusual) continue;
+    if (pick < family.weight) return family;
+    pick -= family.weight;
+  }
+  return all.back();
+}
 
 }  // namespace
 
@@ -235,16 +253,15 @@ std::span<const Family> families() { return all; }
 
 Generated generate(std::uint64_t seed, std::uint64_t n) {
   Dice dice(seed, n);
-  const int sum =
-      std::accumulate(all.begin(), all.end(), 0, [](int s, const Family& f) { return s + f.weight; });
-  auto pick = static_cast<int>(dice.below(static_cast<std::size_t>(sum)));
-  const Family* family = all.data();
-  while (pick >= family->weight) pick -= (family++)->weight;
-  Generated made{{}, std::string(family->name)};
-  family->make(dice, made.trial.scene);
+  // By the number, so that the other scenes of a seed stay what they were.
+  const bool unusual = n % 16 == 4, far_from_one = n % 16 == 12;
+  const Family& family = some_family(dice, unusual);
+  Generated made{{}, std::string(family.name)};
+  family.make(dice, made.trial.scene);
   made.trial.step = dice.of(std::array{0.02, 0.01, 0.01, 0.005});
   made.trial.steps = dice.of(std::array<std::int64_t, 3>{40, 60, 100});
-  if (family->long_runs > 0 && dice.one_in(family->long_runs)) made.trial.steps = 1000;
+  if (family.long_runs > 0 && dice.one_in(family.long_runs)) made.trial.steps = 1000;
+  if (far_from_one) set_far_from_one(dice, made.trial);
   return made;
 }
 

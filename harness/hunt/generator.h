@@ -1,5 +1,6 @@
 // Random scenes that are valid by construction: bodies do not overlap, joints are closed, numbers have three
-// digits.  Seed and number are the scene's name.
+// digits.  Seed and number are the scene's name.  Of sixteen scenes one is of the unusual families, and one is of another size,
+// with another mass and another step.
 #pragma once
 
 #include "harness/hunt/trial.h"
@@ -20,6 +21,7 @@ struct Family {
   int weight;               ///< How often, among the sum of all.
   std::uint64_t long_runs;  ///< One scene in so many has 1000 steps, for what is slow to show; 0: none.
   void (*make)(Dice&, core::Scene&);
+  bool unusual = false;  ///< Of every sixteenth scene alone.
 };
 
 std::span<const Family> families();

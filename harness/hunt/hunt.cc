@@ -22,7 +22,7 @@ using process::EngineChoice;
 
 std::optional<Fault> fault_of(const Trial& trial, const EngineChoice& engine, const process::Limits& limits,
                               const Broken& broken) {
-  std::vector<Fault> faults = examine(trial, engine, limits, {broken.oracle, broken.kind});
+  std::vector<Fault> faults = examine(trial, engine, limits, {broken.oracle, broken.kind}).faults;
   if (faults.empty()) return std::nullopt;
   return std::move(faults.front());
 }
@@ -153,16 +153,18 @@ Found search(const Source& source, std::uint64_t first, const Quarry& quarry,
     const std::uint64_t number = first + begun++;
     return std::pair{number, quarry.memory ? quarry.memory->asked(number) : std::nullopt};
   };
-  const auto broken_by = [&](const Trial& trial) {
-    std::vector<Broken> broken;
-    for (const Fault& fault : examine(trial, quarry.engine, quarry.limits))
-      broken.push_back({fault.oracle, fault.kind, fault.by_time});
-    return broken;
+  const auto ask = [&](Hit& hit, const Trial& trial) {
+    const Examined examined = examine(trial, quarry.engine, quarry.limits);
+    hit.refused = examined.refused;
+    hit.broken.clear();
+    for (const Fault& fault : examined.faults)
+      hit.broken.push_back({fault.oracle, fault.kind, fault.by_time});
   };
   const auto done = [&](Hit hit, bool fresh, bool after_others = false) {
     const std::scoped_lock lock(guard);
     if (after_others) found.after_others.push_back(hit.number);
     if (fresh && quarry.memory) quarry.memory->note(hit);
+    if (hit.refused) ++found.refused;
     if (!hit.broken.empty()) found.hits.push_back(std::move(hit));
   };
   const auto jobs = static_cast<std::size_t>(std::max(1, quarry.jobs));
@@ -175,9 +177,10 @@ Found search(const Source& source, std::uint64_t first, const Quarry& quarry,
       }
       const Generated made = source.scene(one->first);
       if (!kept) kept.emplace();
-      Hit hit{one->first, made.family, broken_by(made.trial)};
+      Hit hit{one->first, made.family, {}};
+      ask(hit, made.trial);
       const bool suspected = !hit.broken.empty();
-      if (suspected) kept.reset(), hit.broken = broken_by(made.trial);
+      if (suspected) kept.reset(), ask(hit, made.trial);
       const bool after_others = suspected && hit.broken.empty();
       done(std::move(hit), true, after_others);
     }

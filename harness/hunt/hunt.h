@@ -25,6 +25,7 @@ struct Hit {
   std::uint64_t number = 0;
   std::string family;
   std::vector<Broken> broken;
+  bool refused = false;  ///< By the engine.
 };
 
 /// What an earlier hunt for the same found out, and where to note what this one does.  Calls come one at a time.
@@ -47,8 +48,9 @@ struct Quarry {
 };
 
 struct Found {
-  std::vector<Hit> hits;     ///< Scenes with a fault, by their numbers.
-  std::uint64_t scenes = 0;  ///< All of first, first + 1, …, first + scenes - 1 were asked.
+  std::vector<Hit> hits;      ///< Scenes with a fault, by their numbers.
+  std::uint64_t scenes = 0;   ///< All of first, first + 1, …, first + scenes - 1 were asked.
+  std::uint64_t refused = 0;  ///< Of these the engine refused so many.
   /// Scenes asked now that had a fault after others in one process, and none in processes of their own.
   std::vector<std::uint64_t> after_others;
 };

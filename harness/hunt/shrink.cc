@@ -186,6 +186,7 @@ class Shrinking {
       edit([](Body& b) {
         return !b.initial.orientation.vec().isZero(0) && (b.initial.orientation.setIdentity(), true);
       });
+      edit([](Body& b) { return b.locked && (b.locked = false, true); });
       edit([](Body& b) { return b.collide && (b.collide = false, true); });
       // Another mass keeps the inertia of the shape.
       edit([](Body& b) {

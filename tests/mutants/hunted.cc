@@ -82,12 +82,14 @@ class First final : public hunt::Memory {
     hunt::Hit own = hit;
     if (right_) {
       const std::vector<hunt::Fault> also =
-          hunt::examine(source_.scene(hit.number).trial, choice_of(*right_), limits_);
+          hunt::examine(source_.scene(hit.number).trial, choice_of(*right_), limits_).faults;
       std::erase_if(own.broken, [&](const hunt::Broken& broken) {
         return std::ranges::any_of(also, [&](const hunt::Fault& f) { return f.oracle == broken.oracle; });
       });
     }
-    std::erase_if(own.broken, [&](const hunt::Broken& one) { return is_known(subject_, one.oracle); });
+    // What was stopped by the clock says how fast this machine is.
+    std::erase_if(own.broken,
+                  [&](const hunt::Broken& one) { return one.by_time || is_known(subject_, one.oracle); });
     if (!own.broken.empty()) found = std::move(own);
   }
   std::optional<hunt::Trial> least(const std::string&) override { return std::nullopt; }
@@ -115,7 +117,8 @@ int hunt_for(const mutants::Subject& subject, std::map<std::string, double> aske
     return !first.found && static_cast<double>(begun) < asked["--scenes"] && seconds < asked["--seconds"];
   };
   const hunt::Found found = hunt::search(source, static_cast<std::uint64_t>(asked["--first"]), quarry, more);
-  nlohmann::ordered_json line = {{"name", subject.name}, {"scenes", found.scenes}};
+  nlohmann::ordered_json line = {
+      {"name", subject.name}, {"scenes", found.scenes}, {"refused", found.refused}};
   if (first.found) {
     const hunt::Hit& hit = *first.found;
     line["number"] = hit.number, line["family"] = hit.family;

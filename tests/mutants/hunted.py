@@ -33,7 +33,7 @@ def hunt(tool, name, options, counted, part, scenes, seconds):
                           "--seconds", str(seconds), "--jobs", str(options.jobs)],
                          capture_output=True, text=True, check=True).stdout
     result = json.loads(out)
-    counted.add(part, scenes=result["scenes"], seconds=round(time.monotonic() - begun, 1))
+    counted.add(part, scenes=result["scenes"], refused=result["refused"], seconds=round(time.monotonic() - begun, 1))
     if "broken" in result:
         counted.set(part, found=result["number"], broken=", ".join(result["broken"]), family=result["family"])
 

@@ -157,7 +157,7 @@ std::vector<hunt::Found> search_part(const Chase& chase, const std::optional<Sha
     chase.journal.done(units[i], seconds.count());
     const std::scoped_lock lock(guard);
     hunt::Found& all = found[task.engine];
-    all.scenes += part_found.scenes;
+    all.scenes += part_found.scenes, all.refused += part_found.refused;
     std::ranges::move(part_found.hits, std::back_inserter(all.hits));
     std::ranges::move(part_found.after_others, std::back_inserter(all.after_others));
     chase.progress(fmt::format("{}: {} scenes", chase.engines[task.engine].id, scenes += part_found.scenes));
@@ -213,9 +213,9 @@ int make_cards(const Chase& chase, const std::vector<hunt::Found>& found,
   std::vector<WrittenCard> all;
   const auto cards_of = [&](std::size_t i) {
     const process::EngineChoice& engine = chase.engines[i];
-    std::cout << plain_line(fmt::format("{}: {} of {} scenes ({}, from {}) with a fault", engine.id,
-                                        found[i].hits.size(), found[i].scenes, chase.source.name(),
-                                        options.first))
+    std::cout << plain_line(fmt::format("{}: {} of {} scenes ({}, from {}) with a fault; {} refused",
+                                        engine.id, found[i].hits.size(), found[i].scenes, chase.source.name(),
+                                        options.first, found[i].refused))
               << '\n'
               << std::flush;
     std::vector<process::EngineChoice> rest = others;
@@ -235,6 +235,11 @@ int make_cards(const Chase& chase, const std::vector<hunt::Found>& found,
     for (std::size_t i = 0; i < found.size(); ++i) cards_of(i);
   });
   nlohmann::ordered_json made = document(all);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    made["asked"].push_back({{"engine", chase.engines[i].id},
+                             {"scenes", found[i].scenes},
+                             {"refused", found[i].refused},
+                             {"faulty", found[i].hits.size()}});
   if (!whole) made["interrupted"] = true;
   if (!options.json.empty()) write_whole(options.json, made.dump(1) + '\n');
   if (!whole) throw process::Interrupted();

@@ -21,11 +21,11 @@ json to_json(const hunt::Hit& hit) {
   json broken = json::array();
   for (const hunt::Broken& one : hit.broken)
     broken.push_back({one.oracle, hunt::name(one.kind), one.by_time});
-  return {{"number", hit.number}, {"family", hit.family}, {"broken", broken}};
+  return {{"number", hit.number}, {"family", hit.family}, {"broken", broken}, {"refused", hit.refused}};
 }
 
 hunt::Hit hit_from(const json& j) {
-  hunt::Hit hit{j.at("number"), j.at("family"), {}};
+  hunt::Hit hit{j.at("number"), j.at("family"), {}, j.at("refused")};
   for (const json& one : j.at("broken")) {
     const auto kind = hunt::kind_from(one.at(1).get<std::string>());
     if (!kind) throw std::invalid_argument("kind");

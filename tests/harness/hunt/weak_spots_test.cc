@@ -47,7 +47,7 @@ TEST_P(WeakSpots, ShowWithinAFewScenes) {
     Trial trial;
     spot.make(dice, trial.scene);
     trial.step = spot.step, trial.steps = spot.steps;
-    for (const Fault& fault : examine(trial, engine, {.run_seconds = 20})) {
+    for (const Fault& fault : examine(trial, engine, {.run_seconds = 20}).faults) {
       if (fault.oracle == spot.oracle && fault.kind == spot.kind) return;
       seen += std::to_string(n) + " " + fault.oracle + " " + std::string(name(fault.kind)) + '\n';
     }
