@@ -314,7 +314,7 @@ void Crowd::advance(const std::vector<Group>& groups, const Step& step, const st
   const Sweep how = {1 / h, stiff.rate, step.slop, stiff.share, stiff.bleed};
   residuals_.assign(groups.size(), 0);
   for (const Group& group : groups)
-    operations_ += 2 * step.parts * static_cast<std::int64_t>(group.blocks.size());
+    operations_ += std::int64_t{2} * step.parts * static_cast<std::int64_t>(group.blocks.size());
   for (int part = 0; part < step.parts; ++part) {
     for (Member& m : members_)
       if (m.diagonal[3] > 0) quad_at(m.v) += fall;

@@ -121,7 +121,9 @@ MassProperties properties(const Simple& shape, double mass) {
 }
 
 MassProperties properties(const Solid& solid, double mass) {
-  return {mass, solid.centre, mass / solid.volume * solid.inertia};
+  MassProperties p{mass, solid.centre, mass / solid.volume * solid.inertia};
+  p.inertia = Matrix3(p.inertia.selfadjointView<Eigen::Upper>());  // as it is, but for rounding
+  return p;
 }
 MassProperties properties(const Mesh& mesh, double mass) {
   return properties(solid(mesh.vertices, mesh.faces), mass);

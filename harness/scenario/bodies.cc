@@ -54,6 +54,7 @@ core::Matrix3 read_inertia(const Table& table) {
               "inertia: nine numbers must be symmetric, but {} against {}, {} against {}, {} against {}",
               v[1], v[3], v[2], v[6], v[5], v[7]));
     inertia -= skew / 2;  // a sum may be too large, and the half of a number may be none
+    inertia = core::Matrix3(inertia.selfadjointView<Eigen::Upper>());  // to the last bit
   }
   const double least = core::principal_axes(inertia).moments.minCoeff();
   if (!(least > 0))

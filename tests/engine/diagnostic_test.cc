@@ -181,7 +181,12 @@ const std::vector<Provoked> provoked = {
        return said(model, on("stepping", 0.01), 2);
      }},
     {K::contacts_unsolved, 1, [] { return said(random_pile(0), forced(on("stepping", 0.01)), 100); }},
-    {K::contacts_swept, 0.03, [] { return said(boxes_on_floor(200, 1), on("stepping", 0.01), 3); }},
+    {K::contacts_swept, 0.03,
+     [] {
+       Model model = boxes_on_floor(200, 1);
+       model.motions[0].momentum.x() = 1;  // at rest they would stand, solved to rounding
+       return said(model, on("stepping", 0.01), 3);
+     }},
     {K::overlaps_unsolved, 1, [] { return said(random_pile(8), forced(on("stepping", 0.01)), 100); }},
     {K::joints_drifted, 1, [] { return said(held_in_two_places(), on("stepping", 0.02), 50); }},
     {K::joint_forces_implicit, 0.02,
