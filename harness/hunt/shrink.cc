@@ -127,7 +127,7 @@ class Shrinking {
     const std::size_t count = trial_.scene.bodies.size();
     for (std::size_t left = 1; left <= few && left + 1 < count; ++left) {
       Scene scene = trial_.scene;
-      while (scene.bodies.size() > left) scene = without_body(std::move(scene), scene.bodies.size() - 1);
+      for (std::size_t last = count; last-- > left;) scene = without_body(std::move(scene), last);
       if (take(std::move(scene))) return true;
     }
     return false;

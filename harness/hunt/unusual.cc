@@ -93,8 +93,9 @@ void make_furniture(Dice& dice, Scene& scene) {
   }
   for (std::size_t i = 0; i < falling; ++i) {
     const Shape shape = dice.one_in(4) ? shape_of_points_or_parts(dice) : some_shape(dice);
-    const double x = cell * static_cast<double>(i % 2), y = cell * (1 + static_cast<double>(i / 2));
-    Body& body = add(dice, scene, shape, Vector3(x, y, 0));
+    const std::size_t column = i % 2, row = 1 + i / 2;
+    Body& body =
+        add(dice, scene, shape, cell * Vector3(static_cast<double>(column), static_cast<double>(row), 0));
     set_moving(dice, body, 0.5, 3);
     body.initial.velocity += Vector3(0, -2, 0);
   }

@@ -20,7 +20,8 @@ using foreign::Vector3;
 struct Surface {
   int type = 0, affinity = 0, dimension = 3, priority = 0, body = -1;
   double friction = 1;
-  auto operator<=>(const Surface&) const = default;
+  // NOLINTNEXTLINE(modernize-use-nullptr): the literal that the compiler compares with
+  friend auto operator<=>(const Surface&, const Surface&) = default;
 };
 
 using Pairs = std::set<std::pair<int, int>>;

@@ -44,7 +44,8 @@ Json arrays_of(const mjModel* m) {
   MJMODEL_POINTERS_PREAMBLE(m)
 #define MJ_M(n) n
 #define X(type, name, rows, columns) \
-  if (is_needed(#name)) json[#name] = list(m->name, static_cast<std::size_t>(m->rows) * (columns));
+  if (is_needed(#name))              \
+    json[#name] = list(m->name, static_cast<std::size_t>(m->rows) * static_cast<std::size_t>(columns));
   MJMODEL_POINTERS
 #undef X
 #undef MJ_M

@@ -156,10 +156,9 @@ inline bool leaves_bodies_alone(std::string_view library, std::string_view name)
   if (!rest) return false;
   const bool holds_several = rest->empty() || *rest == "-log-system";
   return std::ranges::any_of(systems, [&](const auto& system) {
-    const auto& [own_library, own_class] = system;
-    if (!holds_several) return *rest == "-" + std::string(own_library) + "-system";
+    if (!holds_several) return *rest == "-" + std::string(system.first) + "-system";
     return std::ranges::any_of(spaces, [&](std::string_view space) {
-      return name.starts_with(space) && name.substr(space.size()) == own_class;
+      return name.starts_with(space) && name.substr(space.size()) == system.second;
     });
   });
 }

@@ -147,7 +147,7 @@ void SdfReader::check_warnings(sdf::ParserConfig config) {
       continue;
     }
     const std::string attribute = words[1], element = words[2];
-    where.element = "attribute '" + attribute + "' of <" + element + ">";
+    where.element.assign("attribute '").append(attribute).append("' of <").append(element).append(">");
     // Of SDFormat 1.11: the inertia follows from the shapes.
     const bool is_auto = element == "inertial" && attribute == "auto" && !path.ends_with("=\"false\"]") &&
                          !path.ends_with("=\"0\"]");

@@ -271,7 +271,7 @@ constexpr auto never = [](const sdf::Param&) { return false; };
 
 struct AttributeRow {
   std::string_view element, name;  ///< "" of all elements.
-  std::string_view what = "";      ///< "" where it is read, else the loss where it differs.
+  std::string_view what = {};      ///< "" where it is read, else the loss where it differs.
   bool (*is_plain)(const sdf::Param&) = never;
 };
 
@@ -317,7 +317,7 @@ void list_below(const sdf::ElementPtr& element, const std::string& path, std::se
     const sdf::ParamPtr attribute = element->GetAttribute(static_cast<unsigned>(i));
     const AttributeRow* row = attribute_row(element->GetName(), attribute->GetKey());
     const std::string use = !row ? "no row" : row->what.empty() ? "read" : "lost " + std::string(row->what);
-    lines += path + "@" + attribute->GetKey() + ": " + use + "\n";
+    lines.append(path).append("@").append(attribute->GetKey()).append(": ").append(use).append("\n");
   }
   for (std::size_t i = 0; i < element->GetElementDescriptionCount(); ++i) {
     const sdf::ElementPtr child = element->GetElementDescription(static_cast<unsigned>(i));

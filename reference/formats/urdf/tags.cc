@@ -163,7 +163,7 @@ class Walk {
     for (const Row& row : rows) {
       if (row.parent != in || row.name != name) continue;
       if (name == "axis" && has_no_axis(parent)) lose("unused", element, "<axis>" + of);
-      if (*row.what) lose(row.what, element, "<" + name + ">" + of);
+      if (*row.what) lose(row.what, element, std::string("<").append(name).append(">").append(of));
       if (name == "inertial" && parent.Attribute("name"))
         tags_.inertials[parent.Attribute("name")] = element.Row();
       if (!*row.what) check_attributes(element, of);
