@@ -77,10 +77,12 @@ TEST(InHouseOptions, SleepingKeepsWhatRests) {
     }
   for (int i = 0; i < 25; ++i) {
     scene.bodies[static_cast<std::size_t>(i)].initial.position.y() = 0.5;
-    for (int k = 0; k < 4; ++k)
-      scene.bodies[static_cast<std::size_t>(25 * k + i)].initial.position.x() = 1.5 * (i % 5);
-    for (int k = 0; k < 4; ++k)
-      scene.bodies[static_cast<std::size_t>(25 * k + i)].initial.position.z() = 1.5 * (i / 5);
+    const int column = i % 5, row = i / 5;
+    for (int k = 0; k < 4; ++k) {
+      const int body = 25 * k + i;
+      core::Vector3& place = scene.bodies[static_cast<std::size_t>(body)].initial.position;
+      place.x() = 1.5 * column, place.z() = 1.5 * row;
+    }
   }
   const std::string id = "in-house/path=stepping";
   EXPECT_TRUE(same(end(id, scene, 60), end(id, scene, 90)));

@@ -26,8 +26,9 @@ Model boxes_in_a_box() {
 Model chains() {
   Model model = pile_model(0, Real(0.5));
   for (int i = 0; i < 140; ++i) {
+    const int link = i % 10, chain = i / 10;
     add_box(model, 1, Vector3(Real(0.3), Real(0.2), Real(0.25)),
-            {Real(0.8) * static_cast<Real>(i % 10), Real(0.2) + Real(0.41) * static_cast<Real>(i / 10),
+            {Real(0.8) * static_cast<Real>(link), Real(0.2) + Real(0.41) * static_cast<Real>(chain),
              Real(0.01) * static_cast<Real>(i % 7)});
     if (i % 10 == 0) continue;
     Joint joint;

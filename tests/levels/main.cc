@@ -63,7 +63,8 @@ int main(int argc, char** argv) {
   const std::vector<levels::Case> cases =
       words.size() > 6 ? cube_cases(words[5], std::stoi(words[6])) : levels::ball_cases();
   const levels::Case& what = levels::find(cases, name);
-  const auto [first, end] = first_and_end(words[1]);
+  const std::pair<std::uint64_t, std::uint64_t> seeds = first_and_end(words[1]);
+  const std::uint64_t first = seeds.first, end = seeds.second;
   std::map<std::uint64_t, std::string> done;
   {
     std::ifstream in(file);

@@ -33,10 +33,12 @@ template <int count>
 Model columns_of_twelve() {
   Model model = pile_model(0, Real(0.5));
   const int side = static_cast<int>(std::ceil(std::sqrt(count)));
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < count; ++i) {
+    const int column = i % side, row = i / side;
     for (int k = 0; k < 12; ++k)
-      add_cube(model, {Real(1.5) * static_cast<Real>(i % side), half_cube + static_cast<Real>(k),
-                       Real(1.5) * static_cast<Real>(i / side)});
+      add_cube(model, {Real(1.5) * static_cast<Real>(column), half_cube + static_cast<Real>(k),
+                       Real(1.5) * static_cast<Real>(row)});
+  }
   return model;
 }
 
@@ -69,9 +71,9 @@ Model pyramid_of_a_thousand() {
   for (int side = 14; side > 0; --side)
     for (int i = 0; i < side * side; ++i) {
       const Real from = Real(-0.55) * static_cast<Real>(side - 1);
-      add_cube(model,
-               {from + Real(1.1) * static_cast<Real>(i % side), half_cube + static_cast<Real>(14 - side),
-                from + Real(1.1) * static_cast<Real>(i / side)});
+      const int column = i % side, row = i / side;
+      add_cube(model, {from + Real(1.1) * static_cast<Real>(column), half_cube + static_cast<Real>(14 - side),
+                       from + Real(1.1) * static_cast<Real>(row)});
     }
   return model;
 }

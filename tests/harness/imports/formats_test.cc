@@ -574,7 +574,8 @@ TEST(Chain, OfAnIncludedFileIsCounted) {
   const auto nested = [](int bodies, const std::string& inside) {
     std::string text = inside;
     for (int i = 0; i < bodies; ++i)
-      text = "<body pos='0 0 1'><joint axis='1 0 0'/><geom type='sphere' size='.1'/>" + text + "</body>";
+      text.insert(0, "<body pos='0 0 1'><joint axis='1 0 0'/><geom type='sphere' size='.1'/>")
+          .append("</body>");
     return text;
   };
   std::ofstream(folder.path() / "part.xml") << "<mujoco>" + nested(56, "") + "</mujoco>";

@@ -331,8 +331,8 @@ TEST(SdfFriction, IsThatOfOdeAsDartReadsIt) {
   const std::string bullet = "<bullet><friction>.2</friction></bullet>";
   for (const auto& [friction, says] :
        {std::pair<std::string, double>{bullet, 1}, {"<ode><mu>.4</mu></ode>" + bullet, .4}}) {
-    const Outcome outcome =
-        import_world(floor + model(link("a", surface("<friction>" + friction + "</friction>"))));
+    const std::string stated = std::string("<friction>").append(friction).append("</friction>");
+    const Outcome outcome = import_world(floor + model(link("a", surface(stated))));
     ASSERT_EQ(outcome.refusal, "");
     EXPECT_EQ(core::material_of(outcome.scene(), {.body = 0, .plane = 0})->friction, says);
   }
