@@ -186,7 +186,7 @@ def difference(first, second):
     return worst
 
 
-def listed(file):
+def listed_as_unseen(file):
     """(file, statement, changed statement) -> scene, of the changes that are known to be unseen."""
     rows = [line.split("\t") for line in file.read_text().splitlines() if line and not line.startswith("#")]
     return {tuple(row[:3]): row[3] for row in rows}
@@ -252,7 +252,7 @@ def main():
     every = list(candidates())
     changes = random.Random(options.seed).sample(every, min(options.count, len(every)))
     print(f"{len(every)} changes are possible; {len(changes)} drawn with seed {options.seed}", flush=True)
-    known = listed(options.known)
+    known = listed_as_unseen(options.known)
     changes += [change for change in every if named(change) in known and change not in changes]
     dropped = build(options, changes)
     set_programs_aside(options)
