@@ -252,8 +252,8 @@ def main():
     every = list(candidates())
     changes = random.Random(options.seed).sample(every, min(options.count, len(every)))
     print(f"{len(every)} changes are possible; {len(changes)} drawn with seed {options.seed}", flush=True)
-    known = listed_as_unseen(options.known)
-    changes += [change for change in every if named(change) in known and change not in changes]
+    on_list = listed_as_unseen(options.known)
+    changes += [change for change in every if named(change) in on_list and change not in changes]
     dropped = build(options, changes)
     set_programs_aside(options)
     programs = " ".join(program_of(options.programs / name) for name in ("cylon", "cylon-worker-mutated"))
@@ -306,7 +306,7 @@ def main():
                 print(f"{row['verdict']:9} {row['file']}:{row['line']}: {row['was']}  ->  {row['is']}  "
                       f"[{row['scene']} {row['moved']:.1e}]", flush=True)
     print(", ".join(f"{counts[k]} {k}" for k in sorted(counts)))
-    wrong = list(differences(known, judged))
+    wrong = list(differences(on_list, judged))
     print("\n".join(wrong), end="\n" if wrong else "")
     sys.exit(1 if wrong else 0)
 
