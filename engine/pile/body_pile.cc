@@ -52,6 +52,7 @@ BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings, st
       islands_(model_),
       rest_(model_.bodies.size(), awake),
       still_(model_.bodies.size(), 0),
+      stands_(model_.bodies.size(), 0),
       steps_(first),
       struck_(model_.bodies.size(), 0),
       gravity_(model.strongest_gravity()),

@@ -61,7 +61,8 @@ class BodyPile : public Stepper {
   bool is_crowd(const Group&) const;
   void move_crowds(Time now, Time span);
   bool rests(const Group&) const;
-  bool begins_at_rest(const Group& group) const;
+  bool begins_at_rest(const Group&);
+  bool stands(const Group&, Real span);
   bool comes_to_rest(const Group&, Real span) const;
   bool lay_to_rest(Real span);
   bool is_slow(const Group&, Real speed) const;
@@ -119,6 +120,7 @@ class BodyPile : public Stepper {
   std::vector<Group> resting_;
   std::vector<int> rest_;                // per body: the blocks of its group when that came to rest
   std::vector<char> still_, displaced_;  // per body: it hardly moved after the last step; per group
+  std::vector<char> stands_;             // per body, in the first step: its group was found to stand
   Group swept_;                          // these by sweeps with joints and all forces, as one
   Crowd crowd_;
   GroupLists lists_;

@@ -1,6 +1,7 @@
 // How the contacts of a step are divided among what solves them: few to rounding, many by sweeps or as a crowd, and
 // those of bodies at rest by nobody.
 #include "engine/pile/body_pile.h"
+#include "engine/pile/direct.h"
 #include "engine/pile/rest.h"
 
 #include <algorithm>
@@ -9,6 +10,17 @@
 #include <variant>
 
 namespace cylon::engine::pile {
+namespace {
+
+// Of the speed that gravity gives in a step: what is slower hardly moves.
+constexpr Real hardly = std::max(Real(1) / (1 << 20), 16 * epsilon);
+
+bool is_slower(const Mover& m, const Shape& shape, Real speed) {
+  return m.v.norm() + bounding_radius(shape) * m.w.norm() <= speed;
+}
+
+}  // namespace
+
 // More blocks than are always solved to rounding are solved group by group.  Bodies of different groups must
 // not act on each other, as groups move in parts of the step of their own; what keeps momenta in isolated
 // scenes takes all bodies in the same parts.
@@ -34,11 +46,11 @@ void BodyPile::divide(Real span) {
       continue;
     }
     for (const int body : group.bodies) rest_[index(body)] = awake;
-    const bool stands = begins_at_rest(group);
-    if (!stands && !(few && is_small(group)) && is_crowd(group) && !bounces(group, span) &&
+    const bool built = begins_at_rest(group) && stands(group, span);
+    if (!built && !(few && is_small(group)) && is_crowd(group) && !bounces(group, span) &&
         !comes_to_rest(group, span)) {
       crowds_.push_back(std::move(group));
-    } else if (stands || static_cast<int>(group.blocks.size()) <= settings_.direct_points) {
+    } else if (built || static_cast<int>(group.blocks.size()) <= settings_.direct_points) {
       groups_.push_back(std::move(group));
     } else {
       swept_.bodies.insert(swept_.bodies.end(), group.bodies.begin(), group.bodies.end());
@@ -73,11 +85,12 @@ bool BodyPile::comes_to_rest(const Group& group, Real span) const {
          is_slow(group, gravity_ * span / 1024);
 }
 
-// Sweeps let what is built of many blocks creep before it comes to rest.  Every body lies on something, so that what is about
-// to fall costs no solution.
-bool BodyPile::begins_at_rest(const Group& group) const {
-  if (steps_ > 0 || !settings_.rest || !is_crowd(group) ||
-      static_cast<int>(group.blocks.size()) > settings_.standing_points)
+// In the first step alone, of what is too large to be solved in every step.  Every body lies on something, so that what is
+// about to fall costs no solution.
+bool BodyPile::begins_at_rest(const Group& group) {
+  const int points = static_cast<int>(group.blocks.size());
+  if (steps_ > 0 || !settings_.rest || !is_crowd(group) || points <= settings_.direct_points ||
+      points > settings_.standing_points)
     return false;
   std::vector<char> lies(model_.bodies.size());
   for (const int k : group.blocks) {
@@ -89,6 +102,34 @@ bool BodyPile::begins_at_rest(const Group& group) const {
   return std::all_of(group.bodies.begin(), group.bodies.end(), [&](int body) {
     return model_.bodies[index(body)].locked || (still_[index(body)] && lies[index(body)]);
   });
+}
+
+// Whether a step of gravity leaves it at rest, by a solution to rounding, of which work is bounded: what slides or falls has
+// none that is found so soon, and is swept as it would be later.  Sweeps let what stands creep before it comes to rest.
+bool BodyPile::stands(const Group& group, Real span) {
+  const auto found = [&](int body) { return model_.bodies[index(body)].locked || stands_[index(body)]; };
+  if (std::all_of(group.bodies.begin(), group.bodies.end(), found)) return true;
+  lists_.gather(group, blocks_, model_.bodies, movers_, motions_);
+  for (std::size_t i = 0; i < lists_.movers.size(); ++i)
+    if (!lists_.bodies[i].locked) lists_.movers[i].v += span * model_.forces.gravity;
+  for (Block& block : lists_.blocks) {
+    block.before.setZero(), block.bias.setZero(), block.impulse.setZero();
+    block.target = -std::max(block.gap, Real(0)) / span;
+  }
+  Direct direct;
+  direct.give_up_after(settings_.standing_work * static_cast<std::int64_t>(lists_.blocks.size()));
+  const bool solved = direct.solve(lists_.blocks, lists_.bodies, lists_.movers);
+  work_ += direct.operations();
+  bool at_rest = solved;
+  for (std::size_t i = 0; i < lists_.movers.size(); ++i)
+    at_rest = at_rest &&
+              is_slower(lists_.movers[i], model_.shapes[index(group.bodies[i])], hardly * gravity_ * span);
+  for (const int body : group.bodies) stands_[index(body)] = still_[index(body)] = at_rest;
+  for (std::size_t k = 0; at_rest && k < group.blocks.size(); ++k) {  // where the step's own solution begins
+    Block& block = blocks_[index(group.blocks[k])];
+    block.impulse = lists_.blocks[k].impulse, block.past.acted = span;
+  }
+  return at_rest;
 }
 
 // A group that nothing has joined or left since it came to rest, and on which only gravity acts, stays at rest.
@@ -112,8 +153,7 @@ bool BodyPile::is_on_edge(int body, const Group& group) const {
 bool BodyPile::lay_to_rest(Real span) {
   if (!settings_.rest) return false;
   bool any = false;
-  constexpr Real part = std::max(Real(1) / (1 << 20), 16 * epsilon);
-  const Real speed = part * gravity_ * span;
+  const Real speed = hardly * gravity_ * span;
   const auto look = [&](const Group& group) {
     const auto was_still = [&](int body) { return model_.bodies[index(body)].locked || still_[index(body)]; };
     const bool now = is_crowd(group) && is_slow(group, speed);
@@ -157,8 +197,7 @@ Real BodyPile::crowd_slop() const {
 
 bool BodyPile::is_slow(const Group& group, Real speed) const {
   return std::all_of(group.bodies.begin(), group.bodies.end(), [&](int body) {
-    const Mover& m = movers_[index(body)];
-    return m.v.norm() + bounding_radius(model_.shapes[index(body)]) * m.w.norm() <= speed;
+    return is_slower(movers_[index(body)], model_.shapes[index(body)], speed);
   });
 }
 

@@ -320,7 +320,7 @@ double Direct::slope_along(const Vector& way) {
 // passed the least value: to where the slope is a tenth of what it was.
 void Direct::minimise() {
   double before = std::numeric_limits<double>::infinity();
-  for (int step = 0; step < most_newton_steps; ++step) {
+  for (int step = 0; step < most_newton_steps && operations_ <= last_; ++step) {
     forces(v_, true);
     fill_gradient();
     factor();
@@ -425,7 +425,7 @@ bool Direct::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, 
     }
     // Where rounds no longer help, what is left is rounding, or friction that has no solution.
     if (residual_ <= allowed || round == most_rounds || !(round < best_round + patience) ||
-        (!helps && residual_ <= 100 * allowed))
+        (!helps && residual_ <= 100 * allowed) || operations_ > last_)
       break;
     // Four corners of a face, of which one presses less than it seems to, go on at a pace of the violation times the
     // stiffness, and bodies on long arms resist angular rows by more than their inertia.  Stiffer rows end both.  Where

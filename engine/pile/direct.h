@@ -4,6 +4,8 @@
 #include "engine/pile/block.h"
 #include "engine/pile/envelope.h"
 
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace cylon::engine::pile {
@@ -26,6 +28,9 @@ class Direct {
   /// In: V* in the movers, impulses of the step before in the blocks.  Out: V and the impulses.  False where
   /// the laws hold only to more than a thousand times the rounding.
   bool solve(std::vector<Block>&, const std::vector<Body>&, std::vector<Mover>&);
+
+  /// From here on solutions end after so many operations, solved or not.
+  void give_up_after(std::int64_t operations) { last_ = operations_ + operations; }
 
   /// The largest violation that the last solution left [m/s].
   double residual() const { return residual_; }
@@ -79,7 +84,7 @@ class Direct {
   Eigen::MatrixXd dense_;
   Vector start_, free_, centre_, v_, gradient_, way_, push_;
   double residual_ = 0;
-  std::int64_t operations_ = 0;
+  std::int64_t operations_ = 0, last_ = std::numeric_limits<std::int64_t>::max();  // no more than these
   double rounding_ = 0;  // of a velocity that impulses give [m/s]
 };
 

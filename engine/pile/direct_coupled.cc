@@ -30,7 +30,7 @@ bool Direct::couple() {
       factor();
       matrix_.solve(gradient_);
     } else {
-      if (size > most_dense) break;
+      if (size > most_dense || operations_ > last_) break;
       dense_.setZero(size, size);
       const auto add_part = [&](int at, int other, const M6& sum) { dense_.block<6, 6>(at, other) += sum; };
       for (std::size_t k = 0; k < bodies_.size(); ++k)

@@ -40,8 +40,10 @@ struct PileSettings {
   /// that sweeps cannot take: with joints, or with other forces than gravity.
   int direct_points = 512;
 
-  /// In the first step so are groups with at most this many that begin at rest: whether what is built stands is asked once.
+  /// In the first step so are groups with at most this many that begin at rest and are found to stand: that is asked once, in
+  /// at most `standing_work` operations for each of the points (engine/operations.h).
   int standing_points = 1 << 15;
+  int standing_work = 1 << 15;
 };
 
 }  // namespace cylon::engine
