@@ -3,6 +3,7 @@
 #include "harness/core/content_hash.h"
 #include "harness/core/input_error.h"
 #include "harness/hunt/scene_parts.h"
+#include "harness/process/sandbox.h"
 #include "harness/scenario/scenario.h"
 #include "harness/scenario/writer.h"
 
@@ -35,10 +36,11 @@ double number_of(const std::string& file, const std::string& tag, const std::str
 }  // namespace
 
 std::string command(const Card& card, const std::string& file) {
+  const char* program = process::sandboxing() ? "cylon --sandbox" : "cylon";
   if (card.fault.oracle.starts_with("relation "))
-    return fmt::format("cylon run {} --engine {} --metamorphic", file, card.engine);
-  if (card.fault.claim.empty()) return fmt::format("cylon hunt --replay . --engine {}", card.engine);
-  return fmt::format("cylon run {} --engine {}", file, card.engine);
+    return fmt::format("{} run {} --engine {} --metamorphic", program, file, card.engine);
+  if (card.fault.claim.empty()) return fmt::format("{} hunt --replay . --engine {}", program, card.engine);
+  return fmt::format("{} run {} --engine {}", program, file, card.engine);
 }
 
 std::string measured(const Card& card) {

@@ -80,7 +80,7 @@ class Examination {
       ask_claims();
       ask_relations();
     }
-    return {std::move(found_), first_.status == Status::unsupported};
+    return {std::move(found_), first_.status == Status::unsupported || first_.status == Status::fail};
   }
 
  private:

@@ -40,7 +40,7 @@ bool refuses(const Trial&, const process::EngineChoice&, const process::Limits&)
 
 struct Examined {
   std::vector<Fault> faults;
-  bool refused = false;  ///< By the engine, so that no oracle was asked.
+  bool refused = false;  ///< By the engine, or it starts from another state: no oracle was asked.
 };
 
 /// Throws what process::run throws.

@@ -25,7 +25,7 @@ struct Hit {
   std::uint64_t number = 0;
   std::string family;
   std::vector<Broken> broken;
-  bool refused = false;  ///< By the engine.
+  bool refused = false;  ///< See Examined.
 };
 
 /// What an earlier hunt for the same found out, and where to note what this one does.  Calls come one at a time.

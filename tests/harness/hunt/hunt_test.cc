@@ -11,6 +11,7 @@
 #include "harness/hunt/sensitivity.h"
 #include "harness/hunt/shrink.h"
 #include "harness/process/engine_table.h"
+#include "harness/process/sandbox.h"
 #include "harness/scenario/scenario.h"
 #include "harness/scenario/writer.h"
 #include "tests/paths.h"
@@ -452,6 +453,20 @@ TEST(Shrink, ReferencesFollowTheirBodies) {
     EXPECT_EQ(least.scene.bodies.size(), 2u) << n;
     EXPECT_EQ(least.scene.forces.size(), 1u) << n;
   }
+}
+
+// A card's command started a stranger's engine outside of the sandbox in which its fault was found.
+TEST(Cards, AreAskedAgainInTheSandbox) {
+  Card card;
+  card.engine = "mine";
+  for (const char* oracle : {"relation mirror", "energy"})
+    for (const char* claim : {"", "conserves = \"energy\""}) {
+      card.fault.oracle = oracle, card.fault.claim = claim;
+      EXPECT_FALSE(command(card, "card.toml").starts_with("cylon --sandbox "));
+      process::sandboxing() = true;
+      EXPECT_TRUE(command(card, "card.toml").starts_with("cylon --sandbox ")) << command(card, "card.toml");
+      process::sandboxing() = false;
+    }
 }
 
 TEST(Cards, AreScenariosWhoseClaimFails) {
