@@ -72,9 +72,9 @@ constexpr std::array methods = {
                Feature::late_start, Feature::every_stage, Feature::path_stepping}},
     MethodRow{Method::body_steps,
               rigid_bodies | all_forces | all_joints | all_contacts | shapes_in_steps |
-                  Features{Feature::joint_limit, Feature::joint_friction, Feature::joint_rotor,
-                           Feature::quadratic_damping, Feature::late_start, Feature::every_stage,
-                           Feature::path_stepping}},
+                  Features{Feature::joint_couples, Feature::joint_limit, Feature::joint_friction,
+                           Feature::joint_rotor, Feature::quadratic_damping, Feature::late_start,
+                           Feature::every_stage, Feature::path_stepping}},
 };
 
 constexpr bool one_row_each() {

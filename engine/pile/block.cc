@@ -42,8 +42,9 @@ void set_effective_mass(Block& block, const std::vector<Mover>& movers) {
       k += m.inverse_inertia;
       return;
     }
-    const Matrix3 r = skew(arm);
-    k += m.inverse_mass * Matrix3::Identity() - r * m.inverse_inertia * r;
+    Matrix3 turn = skew(arm);
+    turn.diagonal().array() += block.pitch;
+    k += m.inverse_mass * Matrix3::Identity() + turn * m.inverse_inertia * turn.transpose();
   };
   add(block.a, block.arm), add(block.b, block.to_arm);
   Matrix3 space = block.space;

@@ -25,8 +25,8 @@ struct Past {
   Vector3 normal = Vector3::UnitY();  ///< Of a contact; of a rotor with its gearing, so that normal.u is q'.
 };
 
-/// With u the velocity of a's point against b's (angular: the angular velocity of a against b's) and J the
-/// impulse (angular: angular impulse) on a, -J on b:
+/// With u the velocity of a's point against b's (angular: the angular velocity w of a against b's) and J the
+/// impulse (angular: angular impulse) on a, -J on b; with a pitch u is less by pitch w, and J turns by -pitch J beside:
 ///   contact  u_n >= target, J_n >= 0, complementary; |J_t| <= friction J_n against u_t  (Coulomb)
 ///   hold     space u = 0, J in the image of `space`, a projection
 ///   stop     u_n >= target, J_n >= 0, complementary; J_t = 0
@@ -43,6 +43,7 @@ struct Block {
   Real gearing = 1;  ///< Of a law, an angle of a gimbal apart: q' = gearing n.u with n unit.
   Vector3 own_normal = Vector3::UnitY();  ///< The same in a's axes, of two bodies.
   Matrix3 space = Matrix3::Identity();
+  Real pitch = 0;  ///< Of the part of a screw that couples its turn to its way [m/rad].
   bool offset =
       false;  ///< Of a joint whose points are apart: the arms end at one point that is no anchor of both.
   Real friction = 0, target = 0;  ///< Of rub: a force [N, N m].
@@ -72,12 +73,22 @@ struct Block {
   bool is_one_sided() const { return kind == Kind::contact || kind == Kind::stop; }
 };
 
+/// The velocity of a point at `arm` of a body, as a block that is not angular takes it, and the torque of an impulse there.
+inline Vector3 velocity_at(const Block& block, const Mover& m, const Vector3& arm) {
+  const Vector3 v = m.v + m.w.cross(arm);
+  return block.pitch == 0 ? v : Vector3(v - block.pitch * m.w);
+}
+inline Vector3 torque_of(const Block& block, const Vector3& arm, const Vector3& j) {
+  const Vector3 torque = arm.cross(j);
+  return block.pitch == 0 ? torque : Vector3(torque - block.pitch * j);
+}
+
 inline Vector3 relative_velocity(const Block& block, const std::vector<Mover>& movers) {
   const Mover& a = movers[static_cast<std::size_t>(block.a)];
-  Vector3 u = block.angular ? a.w : Vector3(a.v + a.w.cross(block.arm));
+  Vector3 u = block.angular ? a.w : velocity_at(block, a, block.arm);
   if (block.b != fixed_world) {
     const Mover& b = movers[static_cast<std::size_t>(block.b)];
-    u -= block.angular ? b.w : Vector3(b.v + b.w.cross(block.to_arm));
+    u -= block.angular ? b.w : velocity_at(block, b, block.to_arm);
   }
   return u;
 }
@@ -89,14 +100,14 @@ inline void push(const Block& block, const Vector3& impulse, std::vector<Mover>&
       m.w += m.inverse_inertia * j;
     } else {
       m.v += m.inverse_mass * j;
-      m.w += m.inverse_inertia * arm.cross(j);
+      m.w += m.inverse_inertia * torque_of(block, arm, j);
     }
   };
   one(block.a, block.arm, impulse);
   if (block.b != fixed_world) one(block.b, block.to_arm, -impulse);
 }
 
-/// Fills mass and block_mass.  K = (1/m_a + 1/m_b) 1 - [r_a] I_a^-1 [r_a] - [r_b] I_b^-1 [r_b];  mass =
+/// Fills mass and block_mass.  K = (1/m_a + 1/m_b) 1 + T_a I_a^-1 T_a^T + T_b I_b^-1 T_b^T,  T = [r] + pitch 1;  mass =
 /// 1/(n.K n),  block_mass = P (P K P + 1 - P)^-1 P.
 void set_effective_mass(Block&, const std::vector<Mover>&);
 

@@ -348,8 +348,8 @@ Block split_at_offset(const Joint& joint, Block& block, const std::vector<Motion
   return along;
 }
 
-// A block for the place of each joint, two where it has an offset, and one for its turn where it is not free; then those of laws on coordinates of
-// joints: a stiff force, dry friction, and each limit.
+// A block for the place of each joint, two where it has an offset, one for its turn where it is not free, and one for what a
+// screw couples; then those of laws on coordinates of joints: a stiff force, dry friction, and each limit.
 void BodyContacts::add_joints(const std::vector<Motion>& motions, const std::vector<Block>& old,
                               std::vector<Block>& blocks) const {
   std::size_t next = 0;
@@ -377,9 +377,14 @@ void BodyContacts::add_joints(const std::vector<Motion>& motions, const std::vec
     }
     add(block);
     if (!joint.type.twists()) continue;
-    block.angular = true;
-    block.space =
+    Block turn = block;
+    turn.angular = true;
+    turn.space =
         misfit_of_turn(joint, orientation_of(joint.body, motions), orientation_of(joint.to, motions)).space;
+    add(turn);
+    if (!joint.type.couples) continue;
+    const Vector3 axis = orientation_of(joint.to, motions) * joint.to_axis;
+    block.space = axis * axis.transpose(), block.pitch = joint.pitch;
     add(block);
   }
   for (std::size_t i = 0; i < model_.forces.coordinate_laws.size(); ++i) {

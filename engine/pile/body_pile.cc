@@ -175,7 +175,7 @@ void BodyPile::carry_impulses() {
         return;
       }
       if (model_.bodies[index(body)].inverse_mass > 0) motion.momentum += j;
-      motion.angular_momentum += arm.cross(j);
+      motion.angular_momentum += torque_of(block, arm, j);
     };
     if (!model_.bodies[index(block.a)].locked) one(block.a, block.arm, block.impulse);
     if (block.b != fixed_world && !model_.bodies[index(block.b)].locked)

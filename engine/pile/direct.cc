@@ -107,6 +107,8 @@ void Direct::set_up(std::vector<Block>& blocks, const std::vector<Body>& bodies,
     row.lambda = block.impulse.cast<double>(), row.best = row.before = row.change = V3::Zero();
     row.target = static_cast<double>(block.target), row.bias = block.bias.cast<double>();
     row.turn = -cross_matrix(row.arm), row.to_turn = -cross_matrix(row.to_arm);
+    row.pitch = static_cast<double>(block.pitch);
+    row.turn.diagonal().array() -= row.pitch, row.to_turn.diagonal().array() -= row.pitch;
     // An angular row's mass is an inertia: that of the masses at the length of the bodies' own.
     double scale = 1;
     if (block.angular) {
@@ -134,7 +136,7 @@ bool Direct::holds_in_loops() const {
   for (const Row& row : rows_) {
     if (row.block->kind != Block::Kind::hold) continue;
     const bool same_joint = last && last->a == row.block->a && last->b == row.block->b &&
-                            (row.block->angular || row.block->offset);
+                            (row.block->angular || row.block->offset || row.pitch != 0);
     last = row.block;
     if (same_joint) continue;
     const std::size_t a = member(row.a), b = member(row.b);
@@ -192,24 +194,30 @@ void Direct::leave_out_balanced() {
 Direct::V3 Direct::velocity(const Row& row, const Vector& v) const {
   V3 u = row.bias;
   const bool align = row.block->angular;
-  if (row.a >= 0)
-    u += align ? V3(v.segment<3>(row.a + 3))
-               : V3(v.segment<3>(row.a) + V3(v.segment<3>(row.a + 3)).cross(row.arm));
-  if (row.b >= 0)
-    u -= align ? V3(v.segment<3>(row.b + 3))
-               : V3(v.segment<3>(row.b) + V3(v.segment<3>(row.b + 3)).cross(row.to_arm));
+  const auto at = [&](int body, const V3& arm) -> V3 {
+    const V3 w = v.segment<3>(body + 3);
+    if (align) return w;
+    const V3 there = v.segment<3>(body) + w.cross(arm);
+    return row.pitch == 0 ? there : V3(there - row.pitch * w);
+  };
+  if (row.a >= 0) u += at(row.a, row.arm);
+  if (row.b >= 0) u -= at(row.b, row.to_arm);
   return u;
 }
 
 void Direct::add_impulse(const Row& row, const V3& j, Vector& to) const {
   const bool align = row.block->angular;
+  const auto torque = [&](const V3& arm) -> V3 {
+    if (align) return j;
+    return row.pitch == 0 ? V3(arm.cross(j)) : V3(arm.cross(j) - row.pitch * j);
+  };
   if (row.a >= 0) {
     if (!align) to.segment<3>(row.a) += j;
-    to.segment<3>(row.a + 3) += align ? j : V3(row.arm.cross(j));
+    to.segment<3>(row.a + 3) += torque(row.arm);
   }
   if (row.b >= 0) {
     if (!align) to.segment<3>(row.b) -= j;
-    to.segment<3>(row.b + 3) -= align ? j : V3(row.to_arm.cross(j));
+    to.segment<3>(row.b + 3) -= torque(row.to_arm);
   }
 }
 

@@ -50,7 +50,7 @@ class Direct {
     V3 before, change;  // of the round before: its f, and f - lambda
     M3 space;
     M3 turn, to_turn;  // u = v_a + turn w_a - (v_b + to_turn w_b) + bias
-    double stiffness, limit, start_limit, target;
+    double stiffness, limit, start_limit, target, pitch;
     M3 slope;           // -df/du
     bool skew = false;  // the slope is not symmetric
   };

@@ -188,11 +188,12 @@ TEST(Universal, TurnsTwoShaftsUnevenly) {
   }
 }
 
-// A slider between two bodies is in their plan as what it is, and a screw is not stepped.
+// A slider between two bodies is in their plan as what it is, and a screw is no part of a tree.
 TEST(Plans, NameTheNewKinds) {
   const Model model = joint_scene(joint_types::screw, false).model;
-  EXPECT_NE(missing(Method::body_steps, model).find("screws"), std::string::npos);
+  EXPECT_NE(missing(Method::trees, model).find("screws"), std::string::npos);
   EXPECT_EQ(missing(Method::bodies, model), "");
+  EXPECT_EQ(missing(Method::body_steps, model), "");
   Model slider = joint_scene(joint_types::slider, true).model;
   Model reduced = slider;
   const Plan plan = make_plan(reduced, with("auto", 0.01));

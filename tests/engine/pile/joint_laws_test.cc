@@ -48,6 +48,8 @@ const Coordinates coordinates[] = {
     {"planar, displacement", joint_types::planar,
      [](const JointScene& s) { return s.displacement(s.second); }},
     {"planar, angle", joint_types::planar, [](const JointScene& s) { return s.angle(); }},
+    {"screw, angle", joint_types::screw, [](const JointScene& s) { return s.angle(); }},
+    {"screw, displacement", joint_types::screw, [](const JointScene& s) { return s.displacement(s.axis); }},
     {"universal, first", joint_types::universal, [](const JointScene& s) { return s.angle(); }},
     {"universal, second", joint_types::universal, [](const JointScene& s) { return s.angle(true); }},
     {"gimbal, first", joint_types::gimbal, [](const JointScene& s) { return s.angle(); }},

@@ -38,7 +38,6 @@ TEST(JointsInSteps, AreClosedToRounding) {
     EXPECT_FALSE(end.drifted) << dt;
   }
   for (const JointKind& kind : joint_kinds) {
-    if (kind.type.couples) continue;  // not stepped
     for (const bool to_world : {false, true}) {
       JointScene scene = joint_scene(kind.type, to_world);
       scene.model.forces.gravity = {0.2, -9.81, 0.4};
@@ -122,7 +121,6 @@ Real apart(const std::vector<Motion>& a, const std::vector<Motion>& b) {
 // gearing changes: both errors stayed, however short the steps.
 TEST(JointsInSteps, ConvergeForEachKindWithARotor) {
   for (const JointKind& kind : joint_kinds) {
-    if (kind.type.couples) continue;
     for (const int rotor : {-1, 0, 1})
       for (const bool isolated : {false, true}) {
         JointScene scene = joint_scene(kind.type, false);
