@@ -17,7 +17,8 @@ struct EngineRow {
   std::string path;                  ///< Of the engine; "": the engine's own rule.
   std::string brought_by = {};  ///< Of an optional engine: the command that brings it where it is missing.
 
-  bool takes_plugins = false;  ///< Its worker takes the words `--plugin NAME FILE`.
+  bool takes_plugins = false;                ///< Its worker takes the words `--plugin NAME FILE`.
+  std::vector<std::string> started_by = {};  ///< Words before the command: a program that starts the worker.
 
   /// It may be missing, and takes part only where it is named.
   bool optional() const { return !brought_by.empty(); }

@@ -70,9 +70,11 @@ void require_ok(const json& answer, const char* what) {
   if (ok == answer.end() || *ok != what) broken(fmt::format("expected {{\"ok\":\"{}\"}}", what));
 }
 
-const std::vector<std::string>& command_of(const EngineRow& row) {
+std::vector<std::string> command_of(const EngineRow& row) {
   if (const auto reason = missing(row)) throw Failure(results::Status::unsupported, *reason);
-  return row.command;
+  std::vector<std::string> command = row.started_by;
+  command.insert(command.end(), row.command.begin(), row.command.end());
+  return command;
 }
 
 Hello introduce(Conversation& worker, const EngineRow& row, double seconds) {

@@ -14,7 +14,7 @@
 namespace cylon::process {
 
 /// The command of a worker.  Throws Failure(unsupported) where an optional engine is not here.
-const std::vector<std::string>& command_of(const EngineRow&);
+std::vector<std::string> command_of(const EngineRow&);
 
 /// Says hello under a deadline [s].  Throws Failure where the worker is unsupported or refuses; where an optional
 /// engine's cannot start, with the command that brings what it needs.

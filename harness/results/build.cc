@@ -8,4 +8,9 @@ std::string build_of(std::string_view version) {
   return std::string(version.substr(open + 2, version.size() - open - 3));
 }
 
+std::string build_in_words(std::string_view version) {
+  const std::string build = build_of(version);
+  return build.empty() ? "native code" : build;
+}
+
 }  // namespace cylon::results

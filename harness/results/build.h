@@ -10,4 +10,7 @@ namespace cylon::results {
 /// 20.20.2)"; empty where it says nothing, which is native code.  Costs of two builds do not compare.
 std::string build_of(std::string_view version);
 
+/// The same in words: "native code" where it says nothing.
+std::string build_in_words(std::string_view version);
+
 }  // namespace cylon::results

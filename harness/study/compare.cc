@@ -1,6 +1,7 @@
 #include "harness/study/compare.h"
 
 #include "harness/process/interruption.h"
+#include "harness/results/build.h"
 #include "harness/study/paired_times.h"
 #include "harness/tracking/statistics/holm.h"
 
@@ -33,8 +34,12 @@ bool end(Comparison& c, Finding finding, std::string reason) {
 
 std::string failure_of(const Profile& p) { return fmt::format("{}: {}", results::name(p.status), p.reason); }
 
-/// Whether both builds ran to the end, so that there is something to compare; else `c` says what is the
-/// matter.
+/// Of a cell whose times nobody knows: it is not the same.
+void leave_untimed(Comparison& c, std::string reason) {
+  c.untimed = std::move(reason);
+  c.finding = Finding::inconclusive;
+}
+
 /// Callgrind would count an interpreter for minutes.
 Counter counter_for(const EngineChoice& engine, Counter counter) {
   return counter == Counter::callgrind && engine.row.command.size() > 1 ? Counter::off : counter;
@@ -72,12 +77,22 @@ std::optional<ToTime> compare_exactly(const Cell& cell, Comparison& c, const Sid
   if (!new_profile.instructions.instructions && counter != Counter::off)
     notes.insert("instructions: " + new_profile.instructions.remark);
   if (!options.time) return std::nullopt;
+  const std::string old_build = results::build_in_words(old_profile.version),
+                    new_build = results::build_in_words(new_profile.version);
+  if (old_build != new_build) {
+    leave_untimed(c, fmt::format("{} is {}, {} is {}: their costs do not compare", old_side.name, old_build,
+                                 new_side.name, new_build));
+    return std::nullopt;
+  }
 
   const Sampling plan = sampling(*cell.scenario, cell.dt);
   Planned planned = plan_samples(pinned(*before, options.pinning), cell.scenario->scene, cell.dt, plan.steps,
                                  options.sample, options.limits);
   if (!planned.plan) {
-    c.untimed = planned.reason;
+    if (planned.failed)
+      leave_untimed(c, "the baseline: " + planned.reason);
+    else
+      c.untimed = planned.reason;
     return std::nullopt;
   }
   return ToTime{0, pinned(*before, options.pinning), pinned(*after, options.pinning), *planned.plan};
@@ -107,7 +122,7 @@ void time_cell(const ToTime& job, const CompareOptions& options, const statistic
   if (!pairs.candidate_failure().empty()) {
     c.finding = Finding::regressed, c.reason = "fails when repeated: " + pairs.candidate_failure();
   } else if (!pairs.baseline_failure().empty()) {
-    c.untimed = "the baseline: " + pairs.baseline_failure();
+    leave_untimed(c, "the baseline: " + pairs.baseline_failure());
   } else {
     c.time = pairs.summary();
     c.time->what = job.plan.says();

@@ -115,8 +115,7 @@ process::EngineChoice under_callgrind(process::EngineChoice engine, const std::s
     for (const char* function :
          {"cylon::simulators::*::advance(long)", "cylon::core::Simulator::advance(long)"})
       command.push_back(fmt::format("--toggle-collect={}", function));
-  command.insert(command.end(), engine.row.command.begin(), engine.row.command.end());
-  engine.row.command = std::move(command);
+  engine.row.started_by = std::move(command);
   return engine;
 }
 

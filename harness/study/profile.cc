@@ -117,7 +117,8 @@ Profile profile(const Scenario& scenario, const process::EngineChoice& engine, d
     const double step = std::ldexp(dt, -i);
     process::RunOutcome outcome =
         record(engine, scenario.scene, step, i == 0 ? plan : sampling(scenario, step), limits);
-    if (i == 0) result.status = outcome.status, result.reason = outcome.reason;
+    if (i == 0)
+      result.status = outcome.status, result.reason = outcome.reason, result.version = outcome.engine.version;
     if (!outcome.recording) break;  // at half the step: there is no order then
     recordings.push_back(std::move(*outcome.recording));
   }

@@ -25,6 +25,7 @@ struct ClaimProfile {
 struct Profile {
   results::Status status = results::Status::pass;  ///< Of the run; the claims' verdicts are not asked.
   std::string reason;                              ///< Empty when it passed.
+  std::string version;                             ///< Of the engine, where it ran.
   ExactFacts facts;
   std::vector<ClaimProfile> claims;  ///< In the order of the scenario; empty unless it passed.
   InstructionCount instructions;

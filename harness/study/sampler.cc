@@ -58,7 +58,7 @@ const Pinning& pin_to_one_processor() {
 }
 
 process::EngineChoice pinned(process::EngineChoice engine, const Pinning& pinning) {
-  engine.row.command.insert(engine.row.command.begin(), pinning.prefix.begin(), pinning.prefix.end());
+  engine.row.started_by = pinning.prefix;
   return engine;
 }
 
@@ -86,7 +86,7 @@ Planned plan_samples(const process::EngineChoice& engine, const core::Scene& sce
   double run_seconds = 0;
   for (int trial = 0; trial < 4; ++trial) {  // a run may cost more at its start than later
     const process::RunOutcome outcome = repeat(engine, scene, dt, plan.steps, 3, limits);
-    if (outcome.status != results::Status::pass) return {std::nullopt, failure_of(outcome)};
+    if (outcome.status != results::Status::pass) return {std::nullopt, failure_of(outcome), true};
     plan.with_load = core::controls_its_error(outcome.engine, outcome.terms);
     run_seconds = least_of(outcome.repetitions, 1, plan.with_load);
     if (run_seconds <= 1.5 * rule.most_seconds || plan.steps == 1) break;
@@ -109,7 +109,7 @@ Sample take_sample(const process::EngineChoice& engine, const SamplePlan& plan,
   if (outcome.status != results::Status::pass) return {0, failure_of(outcome)};
   const double seconds = least_of(outcome.repetitions, plan.runs, plan.with_load);
   if (!(seconds > 0) || !std::isfinite(seconds)) return {0, "the worker says that its steps took no time"};
-  return {seconds, ""};
+  return {seconds, "", outcome.engine.version};
 }
 
 }  // namespace cylon::study

@@ -24,7 +24,7 @@ struct Pinning {
 /// `taskset` with the last processor that this process may use; found out once.
 const Pinning& pin_to_one_processor();
 
-/// The engine with its worker behind the prefix.
+/// The engine with a worker that the prefix starts.
 process::EngineChoice pinned(process::EngineChoice, const Pinning&);
 
 /// How long and how often.
@@ -49,14 +49,16 @@ struct SamplePlan {
 };
 
 struct Sample {
-  double seconds = 0;   ///< CPU time of a run, > 0 [s]; the rest is empty then.
-  std::string failure;  ///< "crash: killed by SIGSEGV"
+  double seconds = 0;        ///< CPU time of a run, > 0 [s]; there is no failure then.
+  std::string failure;       ///< "crash: killed by SIGSEGV"
+  std::string version = {};  ///< Of the engine, where it ran.
 };
 
 /// Plans by a few runs of the engine; or says why there is nothing to time.  Throws what process::run throws.
 struct Planned {
   std::optional<SamplePlan> plan;
   std::string reason;
+  bool failed = false;  ///< It did not run; else it is too short to time.
 };
 Planned plan_samples(const process::EngineChoice&, const core::Scene&, double dt, std::int64_t steps,
                      const SampleRule&, const process::Limits&);

@@ -99,6 +99,8 @@ std::string content_hash(const std::vector<std::string>& command) {
       continue;
     }
     content += file_hash(word) + "\n";
+    // A program may tell by the name of the link what it is to be, as workers in Node do.
+    if (fs::is_symlink(word, ignored)) content += fs::path(word).filename().string() + "\n";
     for (const fs::path& library : libraries(word)) content += file_hash(library) + "\n";
     for (const fs::path& module : modules_beside(word))
       content += module.filename().string() + " " + file_hash(module) + "\n";

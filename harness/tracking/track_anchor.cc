@@ -4,6 +4,8 @@
 #include "harness/cli/command_line.h"
 #include "harness/cli/provenance_now.h"
 #include "harness/cli/workers.h"
+#include "harness/process/client.h"
+#include "harness/process/failure.h"
 #include "harness/process/sandbox.h"
 #include "harness/study/side.h"
 #include "harness/tracking/track.h"
@@ -32,6 +34,20 @@ struct Options {
 // Before the engine's name in the binary of an anchor that was pinned under --sandbox, as on a command line.
 constexpr std::string_view in_sandbox = "--sandbox ";
 
+// A script, or a program with libraries beside it, does not start elsewhere.
+void require_start(process::EngineRow row) try {
+  row.brought_by.clear();  // what brings it brings no copy
+  process::describe({.id = row.id, .row = row, .path = "", .integrator = "", .options = {}});
+} catch (const process::Failure& failure) {
+  std::error_code ignored;
+  fs::remove(row.command.front(), ignored);
+  throw core::InputError(
+      row.command.front(), 0, 0,
+      fmt::format("the copy of the worker does not start ({}), so that no recording could be "
+                  "timed against it; an anchor is one file, and needs no other beside it",
+                  failure.what()));
+}
+
 // The binary is copied beside the store, as the next build would overwrite it.
 int pin(const Context& context, const Options& options) {
   if (options.name.empty() || options.name.find_first_of("/*?[ =") != std::string::npos)
@@ -49,9 +65,11 @@ int pin(const Context& context, const Options& options) {
   const fs::path relative =
       fs::path("anchors") / (options.name + "-" + fs::path(row.command.front()).filename().string());
   const fs::path copy = fs::path(options.store).parent_path() / relative;
+  const fs::path staged = copy.string() + ".new";  // what was pinned before stays if this does not start
   std::error_code error;
   fs::create_directories(copy.parent_path(), error);
-  if (!error) fs::copy_file(row.command.front(), copy, fs::copy_options::overwrite_existing, error);
+  if (!error) fs::copy_file(row.command.front(), staged, fs::copy_options::overwrite_existing, error);
+  if (!error) row.command.front() = staged.string(), require_start(row), fs::rename(staged, copy, error);
   if (error)
     throw core::InputError(copy.string(), 0, 0,
                            fmt::format("the binary cannot be stored here: {}", error.message()));

@@ -1,5 +1,6 @@
 #include "harness/tracking/track_times.h"
 
+#include "harness/results/build.h"
 #include "harness/study/paired_times.h"
 #include "harness/study/sampler.h"
 
@@ -32,6 +33,14 @@ study::SamplePlan plan_of(const study::Cell& cell, const process::RunOutcome& fi
   return plan;
 }
 
+// Why the times of an engine and of an anchor do not compare; empty where they do.
+std::string no_ratio(const study::Sample& own, const study::Sample& anchor) {
+  if (!anchor.failure.empty()) return anchor.failure;
+  const std::string build = results::build_in_words(own.version),
+                    other = results::build_in_words(anchor.version);
+  return build == other ? "" : fmt::format("{}, and the anchor is {}: costs do not compare", build, other);
+}
+
 }  // namespace
 
 std::vector<store::Sample> time_samples(const study::Cell& cell, const process::RunOutcome& first, int count,
@@ -45,12 +54,10 @@ std::vector<store::Sample> time_samples(const study::Cell& cell, const process::
     return study::take_sample(choice, plan, limits);
   };
   for (int i = 0; i < count; ++i) {
-    std::vector<double> pinned_seconds(anchors.size(), nan);
+    std::vector<study::Sample> of_anchors(anchors.size());
     const auto take_anchors = [&] {
-      for (std::size_t k = 0; k < anchors.size(); ++k) {
-        const study::Sample s = take(study::pinned(in_place_of(cell.engine, anchors[k]), pinning));
-        if (s.failure.empty()) pinned_seconds[k] = s.seconds;
-      }
+      for (std::size_t k = 0; k < anchors.size(); ++k)
+        of_anchors[k] = take(study::pinned(in_place_of(cell.engine, anchors[k]), pinning));
     };
     const bool anchors_first = study::first_goes_first(i);
     if (anchors_first) take_anchors();
@@ -61,12 +68,16 @@ std::vector<store::Sample> time_samples(const study::Cell& cell, const process::
       continue;
     }
     samples.push_back({{"cpu_seconds", store::Kind::time, "s"}, i, own.seconds, ""});
-    for (std::size_t k = 0; k < anchors.size(); ++k)
-      if (!std::isnan(pinned_seconds[k]))
+    for (std::size_t k = 0; k < anchors.size(); ++k) {
+      const study::Sample& anchor = of_anchors[k];
+      if (const std::string why = no_ratio(own, anchor); !why.empty())
+        samples.push_back({{"no_ratio:" + anchors[k].name, store::Kind::info, ""}, i, nan, why});
+      else
         samples.push_back({{"cpu_ratio:" + anchors[k].name, store::Kind::time, "ratio"},
                            i,
-                           own.seconds / pinned_seconds[k],
+                           own.seconds / anchor.seconds,
                            ""});
+    }
   }
   return samples;
 }

@@ -2,6 +2,8 @@
 // findings.
 #include "harness/study/compare.h"
 
+#include "harness/process/failure.h"
+#include "harness/process/opening.h"
 #include "harness/scenario/scenario.h"
 #include "harness/study/paired_times.h"
 #include "tests/paths.h"
@@ -232,13 +234,13 @@ class Sides : public testing::Test {
     return {name, process::default_engines(folder / name)};
   }
 
-  results::Comparison compared(const Side& before, const Side& after) const {
+  results::Comparison compared(const Side& before, const Side& after, bool timed = false) const {
     Cell cell;
     cell.scenario = &scenario;
     cell.engine = process::parse_engine("in-house", process::default_engines(binary_dir));
     cell.dt = scenario.step, cell.dt_text = scenario.step_text;
     CompareOptions options;
-    options.time = false;
+    options.time = timed;
     return compare({cell}, before, after, options, {}).cells.at(0);
   }
 
@@ -287,6 +289,36 @@ TEST_F(Sides, ContentDecidesEquality) {
   EXPECT_EQ(hash(side("a", "#!/bin/sh\nexit 1\n")), hash(side("b", "#!/bin/sh\nexit 1\n")));
   EXPECT_NE(hash(side("c", "#!/bin/sh\nexit 1\n")), hash(side("d", "#!/bin/sh\nexit 2\n")));
   EXPECT_NE(content_hash({"mine", "--fast"}), content_hash({"mine", "--slow"}));
+  // The workers in Node are links to one script, which reads the engine from their names.
+  side("e", "#!/bin/sh\nexit 1\n");
+  for (const char* link : {"one", "other"}) fs::create_symlink("e/cylon-worker-in-house", folder / link);
+  EXPECT_NE(content_hash({folder / "one"}), content_hash({folder / "other"}));
+}
+
+// What starts a worker was taken for the worker: no optional engine had a time, and a gate said that it is the same.
+TEST_F(Sides, OptionalWorkerIsHereAlsoWhereAnotherProgramStartsIt) {
+  process::EngineChoice engine = process::parse_engine("in-house", process::default_engines(binary_dir));
+  engine.row.brought_by = "what brings it";
+  const std::string worker = engine.row.command.front();
+  const process::EngineChoice one = pinned(engine, {{"taskset", "-c", "0"}, ""});
+  EXPECT_EQ(process::command_of(one.row), (std::vector<std::string>{"taskset", "-c", "0", worker}));
+  engine.row.command = {"/no/such/worker"};
+  EXPECT_THROW(process::command_of(pinned(engine, {{"taskset"}, ""}).row), process::Failure);
+}
+
+TEST_F(Sides, TimesOfTwoBuildsAreNotCompared) {
+  std::ifstream example(std::string(source_dir) + "/docs/examples/foreign_engine.py");
+  const std::string script{std::istreambuf_iterator<char>(example), {}}, version = "\"version\": \"1.0\"";
+  ASSERT_NE(script.find(version), std::string::npos);
+  const auto versioned = [&](const std::string& text) {
+    return std::string(script).replace(script.find(version), version.size(), "\"version\": \"" + text + "\"");
+  };
+  const Side native = side("native", versioned("1.0")), other = side("other", versioned("1.0 (JavaScript)"));
+  const results::Comparison row = compared(native, other, true);
+  EXPECT_EQ(row.untimed, "native is native code, other is JavaScript: their costs do not compare");
+  EXPECT_EQ(row.finding, Finding::inconclusive);
+  EXPECT_FALSE(row.time);
+  EXPECT_FALSE(row.metrics.empty());
 }
 
 }  // namespace

@@ -63,6 +63,18 @@ TEST_F(Recorded, TimesAreRelativeToPinnedBinary) {
   EXPECT_NE(changed.err.find("'v1' is gone or changed"), std::string::npos) << changed.err;
 }
 
+// A worker that needs files beside it, as those in Node do, was pinned, and every recording went on without its times.
+TEST_F(Recorded, AnchorThatDoesNotStartIsNotPinned) {
+  ASSERT_EQ(cylon("track pin v1 --engine in-house --store h.db").code, 0);
+  write("alone.sh", "#!/bin/sh\n[ -e \"$(dirname \"$0\")/beside\" ] && exec cylon-worker-in-house\nexit 1\n");
+  const cli::Ran pinned =
+      shell("chmod +x alone.sh; exec cylon track pin v2 --engine mine --worker mine=./alone.sh --store h.db");
+  EXPECT_EQ(pinned.code, 2) << pinned.out;
+  EXPECT_NE(pinned.err.find("the copy of the worker does not start"), std::string::npos) << pinned.err;
+  EXPECT_EQ(Store::open(folder / "h.db", Mode::read).anchors().size(), 1u);
+  EXPECT_FALSE(std::filesystem::exists(folder / "anchors/v2-alone.sh.new"));
+}
+
 TEST_F(Recorded, StoresVerdictOfCrashedEngine) {
   write("broken.sh", "#!/bin/sh\nexit 3\n");
   const cli::Ran ran = shell(
