@@ -42,7 +42,7 @@ modules() {
       cd "reference/simulators/$folder"
       exec 9>.packages.lock
       flock 9
-      [ node_modules/.package-lock.json -nt package-lock.json ] || npm ci --ignore-scripts --no-audit --no-fund --no-progress >&2
+      { [ node_modules/.package-lock.json -nt package-lock.json ] && npm ls --all >/dev/null 2>&1; } || npm ci --ignore-scripts --no-audit --no-fund --no-progress >&2
     ) || echo "npm could not install the engines of reference/simulators/$folder; they are left out" >&2
   done
 }

@@ -81,10 +81,12 @@ std::vector<Refusal> refusals() {
       {"ode", "ODE needs principal moments above zero of what moves; 'b' has one of 0 kg m^2.",
        with(three_bodies(86),
             [](core::Scene& s) { s.bodies[1].inertia = Vector3(0.2, 0, 0.2).asDiagonal(); })},
-      {"ode", "limits and friction of hinges and sliders; the cylindrical joint of 'a' has some.",
-       jointed(core::JointType::cylindrical, 0, 1, {.upper = 0.5})},
-      {"ode-quick", "limits and friction of hinges and sliders; the universal joint of 'b' has some.",
-       jointed(core::JointType::universal, 1, core::world, {.friction = 0.3})},
+      {"ode", "ODE's ball has no limits and no friction",
+       jointed(core::JointType::gimbal, 0, 1, {.upper = 0.5})},
+      {"ode-quick", "as long as the sine of the angle between them",
+       jointed(core::JointType::gimbal, 1, core::world, {.friction = 0.3})},
+      {"ode-quick", "the joint of 'a' has one at 3.2 rad from its start.",
+       jointed(core::JointType::universal, 0, 1, {.upper = 3.2})},
       {"ode",
        "ODE's stops of an angle lie within half a turn (ode/src/joints/joint.cpp, dxJointLimitMotor::set); "
        "the "
@@ -159,8 +161,11 @@ std::vector<Refusal> refusals() {
       {"dart", "The hinge of 'a' closes a loop, for which DART has a ball and a weld alone", two_hinges},
       {"dart", "The joint of 'a' bounces from its limits, and DART has no restitution there",
        jointed(core::JointType::slider, 0, 1, {.lower = -1, .restitution = 0.5})},
-      {"dart", "maps limits and friction of hinges and sliders; the universal joint of 'a' has some.",
-       jointed(core::JointType::universal, 0, core::world, {.friction = 0.3})},
+      {"dart", "The gimbal of 'a' closes a loop, and DART's ball for that has no limits and no friction",
+       with(jointed(core::JointType::gimbal, 0, core::world, {.friction = 0.3}),
+            [](core::Scene& s) {
+              s.joints.insert(s.joints.begin(), {.type = core::JointType::fixed, .body = 0});
+            })},
       {"dart", "DART takes a friction of at most 0.001 for none",
        with(soft(core::Sphere{0.2}), [](core::Scene& s) { s.materials[0].friction = 1e-3; })},
       {"dart", "DART takes a restitution of at most 0.001 for none",
@@ -255,8 +260,6 @@ std::vector<Refusal> refusals() {
               s.forces.emplace_back(core::Drag{0, 0.3, 0, 0});
             })},
       {"havok/path=stand-in", "Body 'a': Havok has no disc.", soft(core::Disc{0.3})},
-      {"havok/path=stand-in", "Havok takes no limit of LINEAR_DISTANCE",
-       jointed(core::JointType::distance, 0, 1)},
       {"havok/path=stand-in", "Body 'a': Havok has no cone.", soft(core::Cone{0.1, 0.3})},
       {"havok/path=stand-in", "Havok collides a mesh as a surface", soft(tetrahedron)},
       {"havok/path=stand-in", "Havok needs a mass above zero that float precision holds; 'a' has 1e-46 kg.",

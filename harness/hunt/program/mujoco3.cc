@@ -59,6 +59,7 @@ constexpr SettingRow settings[] = {
     {"autoreset", "", Where::program, ""},
     {"springs, drag*", "", Where::program, ""},
     {"integrator", "implicit", Where::world, "  option += ' integrator=\"implicit\"';\n"},
+    {"integrator", "implicitfast", Where::world, "  option += ' integrator=\"implicitfast\"';\n"},
     {"integrator", "rk4", Where::world, "  option += ' integrator=\"RK4\"';\n"},
     {"cone", "", Where::world, as_option},
     {"impratio", "", Where::world, as_option},

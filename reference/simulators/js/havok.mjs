@@ -19,9 +19,8 @@ export const about = {
   schemes: [{name: 'semi-implicit-euler', order: 1, conserves: 'linear momentum', adaptive: false}],
   gyroscopic: () => 'none',
   substeps: ({'ideal-step': ideal}, dt) => (ideal === 0 ? 4 : Math.min(8, Math.ceil(4 * dt / ideal - 1e-6))),
-  joints: {types: ['ball', 'hinge', 'fixed', 'slider', 'cylindrical', 'planar', 'rectangular', 'universal'], limits: ['hinge', 'slider'],
-    friction: ['hinge', 'slider'],
-    why: {distance: 'Havok takes no limit of LINEAR_DISTANCE (HP_Constraint_SetAxisMode answers RESULT_INVALIDARGS): it keeps no distance.'}},
+  joints: {types: ['ball', 'hinge', 'fixed', 'distance', 'slider', 'cylindrical', 'planar', 'rectangular', 'universal'], limits: ['hinge', 'slider'],
+    friction: ['hinge', 'slider']},
   of_the_scene: [
     {name: 'mass, inertia', value: 'of the scene, rounded', engine_default: 'of the shape and its density',
       reason: 'the scene has its own; the inertia is told for a mass of 1, in principal axes'},
@@ -304,7 +303,7 @@ class World {
       ball: linear, hinge: [...linear, A.ANGULAR_Y, A.ANGULAR_Z], fixed: [...linear, ...angular],
       slider: [A.LINEAR_Y, A.LINEAR_Z, ...angular], cylindrical: [A.LINEAR_Y, A.LINEAR_Z, A.ANGULAR_Y, A.ANGULAR_Z],
       planar: [A.LINEAR_X, A.ANGULAR_Y, A.ANGULAR_Z], universal: [...linear, A.ANGULAR_Z],
-      rectangular: [A.LINEAR_X, ...angular],
+      rectangular: [A.LINEAR_X, ...angular], distance: [],
     }[kept(joint)];
     const made = got(H, H.HP_Constraint_Create());
     this.constraints.push(made);
@@ -314,11 +313,22 @@ class World {
     const anchor = (body, place) => [turned(body, sub(place, body.position)), turned(body, x), turned(body, y)];
     got(H, H.HP_Constraint_SetParentBody(made, second ? this.bodies[joint.to] : this.ground()));
     got(H, H.HP_Constraint_SetChildBody(made, this.bodies[joint.body]));
-    got(H, H.HP_Constraint_SetAnchorInParent(made, ...anchor(second ?? origin, joint.point)));
-    got(H, H.HP_Constraint_SetAnchorInChild(made, ...anchor(first, joint.point)));
+    const ends = joint.type === 'distance' ? [second?.position ?? joint.point, first.position] : [joint.point, joint.point];
+    got(H, H.HP_Constraint_SetAnchorInParent(made, ...anchor(second ?? origin, ends[0])));
+    got(H, H.HP_Constraint_SetAnchorInChild(made, ...anchor(first, ends[1])));
+    if (joint.type === 'distance') this.keep_distance(made, joint.length);
     for (const axis of locked) got(H, H.HP_Constraint_SetAxisMode(made, axis, H.ConstraintAxisLimitMode.LOCKED));
     this.hold(made, joint);
     got(H, H.HP_Constraint_SetEnabled(made, 1));
+  }
+
+  // SetAxisMode answers RESULT_INVALIDARGS to this axis and sets the mode all the same, as GetAxisMode tells.
+  keep_distance(made, length) {
+    const {H} = this, axis = H.ConstraintAxis.LINEAR_DISTANCE, mode = H.ConstraintAxisLimitMode.LIMITED;
+    H.HP_Constraint_SetAxisMode(made, axis, mode);
+    if (H.HP_Constraint_GetAxisMode(made, axis)[1] !== mode) throw new Unsupported('Havok takes no limit of LINEAR_DISTANCE: it keeps no distance.');
+    got(H, H.HP_Constraint_SetAxisMinLimit(made, axis, length));
+    got(H, H.HP_Constraint_SetAxisMaxLimit(made, axis, length));
   }
 
   // Havok counts the child, which is `body`, against its parent.

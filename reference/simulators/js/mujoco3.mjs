@@ -15,9 +15,10 @@ export const about = {
   schemes: [
     {name: 'euler', order: 1, conserves: 'linear momentum', adaptive: false},
     {name: 'implicit', order: 1, conserves: 'linear momentum; velocities implicit, the gyroscopic torque too', adaptive: false},
+    {name: 'implicitfast', order: 1, conserves: 'linear momentum; velocities implicit, the gyroscopic torque of a free body too, of a tree without its Coriolis terms', adaptive: false},
     {name: 'rk4', order: 4, conserves: 'nothing in particular; order 2 where a body turns freely, 1 with contacts or applied forces', adaptive: false},
   ],
-  gyroscopic: (values) => (values.integrator === 'implicit' ? 'implicit' : 'explicit'),
+  gyroscopic: (values) => (values.integrator.startsWith('implicit') ? 'implicit' : 'explicit'),
   joints: {types: ['ball', 'hinge', 'fixed', 'distance', 'slider', 'cylindrical', 'planar', 'universal', 'rectangular', 'offset_universal'],
     limits: ['hinge', 'slider', 'cylindrical', 'planar', 'universal', 'gimbal', 'rectangular', 'offset_universal'],
     friction: ['hinge', 'slider', 'cylindrical', 'planar', 'universal', 'gimbal', 'rectangular', 'offset_universal'], rotors: true, counts_turns: true},

@@ -89,7 +89,7 @@ class Writer {
     const friction = contacts.uniform('friction');
     this.listed = friction === undefined || contacts.filtered;
     const soft = `solref="${t([v['solref-time'], v['solref-damping']])}" solimp="${t([v['solimp-least'], v['solimp-most'], v['solimp-width']])}"`;
-    const integrator = {'euler': 'Euler', 'implicit': 'implicit', 'rk4': 'RK4'}[v.integrator];
+    const integrator = {'euler': 'Euler', 'implicit': 'implicit', 'implicitfast': 'implicitfast', 'rk4': 'RK4'}[v.integrator];
     this.out.push(
       '<mujoco><compiler angle="radian" inertiafromgeom="false"/>',
       `<option timestep="${t(this.dt)}" gravity="${t(scene.gravity)}" integrator="${integrator}" cone="${v.cone}" impratio="${t(v.impratio)}"`,

@@ -25,7 +25,7 @@ export const about = {
   unforceable: [
     'A step is solver-iterations substeps of the velocity solver, each with gravity and forces; contacts are found once in it.',
     'The gyroscopic torque has no switch (dynamics/rigid_body.d.ts has none).',
-    'Speeds are held to 400 m/s, and angular speeds to a quarter of pi in a step (measured; no call sets them). A run in which a sample shows it says so.',
+    'Angular speeds are held to a quarter of pi in a step (measured; no call sets it), and speeds to 400 m/s times length-unit. A run in which a sample shows it says so.',
     'A body whose state is not finite is put back, stopped and taken out. Here its states are not finite from then on, and a remark says so.',
     'A contact is a damped spring: contact-frequency sets its frequency; its damping ratio is 10, which no call sets (dynamics/integration_parameters.d.ts:88). Joints are springs too, which no call sets.',
     'A restitution target is met where the bodies are within the prediction distance, which can be before they touch.',
@@ -45,6 +45,8 @@ export const about = {
       meaning: 'penetration that is left as it is [m]'},
     {name: 'contact-frequency', setting: 'contact_natural_frequency', least: 0, most: 1e9, above: true, engine_default: 30,
       meaning: 'of the spring that a contact is [1/s]'},
+    {name: 'length-unit', setting: 'lengthUnit', least: 0, most: 1e6, above: true, engine_default: 1,
+      meaning: 'length of what is usual: the cap of speeds is 400 m/s times it, the largest speed at which overlaps are mended 10 m/s times it, and the least speeds of what sleeps go with it; prediction and allowed-error stay in m [m]'},
     {name: 'sleeping', setting: 'canSleep', values: ['off', 'on'], engine_default: 'on', meaning: 'slow bodies are taken out of the simulation'},
   ],
   paths: [
@@ -72,7 +74,7 @@ function defaults() {
   const values = {
     'solver-iterations': own.numSolverIterations, 'pgs-iterations': own.numInternalPgsIterations,
     'prediction': own.normalizedPredictionDistance, 'allowed-error': own.normalizedAllowedLinearError,
-    'contact-frequency': frequency, 'sleeping': RAPIER.RigidBodyDesc.dynamic().canSleep ? 'on' : 'off',
+    'contact-frequency': frequency, 'length-unit': own.lengthUnit, 'sleeping': RAPIER.RigidBodyDesc.dynamic().canSleep ? 'on' : 'off',
   };
   world.free();
   return values;
@@ -82,7 +84,7 @@ const xyz = ([x, y, z]) => ({x, y, z});
 const wxyz = ([w, x, y, z]) => ({w, x, y, z});
 const three = ({x, y, z}) => [x, y, z];
 const lost = [NaN, NaN, NaN];
-const most_speed = 400, most_turn = Math.PI / 4;  // [m/s], [rad] in a step: what Rapier holds motions to (measured)
+const most_speed = 400, most_turn = Math.PI / 4;  // [m/s] for a unit of 1 m, [rad] in a step: what Rapier holds motions to (measured)
 
 // ---- Colliders ----------------------------------------------------------------------------------------
 
@@ -151,8 +153,9 @@ class World {
     parameters.dt = dt;
     parameters.numSolverIterations = values['solver-iterations'];
     parameters.numInternalPgsIterations = values['pgs-iterations'];
-    parameters.normalizedPredictionDistance = values.prediction;
-    parameters.normalizedAllowedLinearError = values['allowed-error'];
+    this.unit = parameters.lengthUnit = values['length-unit'];
+    parameters.normalizedPredictionDistance = values.prediction / this.unit;
+    parameters.normalizedAllowedLinearError = values['allowed-error'] / this.unit;
     parameters.contact_natural_frequency = values['contact-frequency'];
   }
 
@@ -254,7 +257,7 @@ class World {
     const q = body.rotation(), velocity = three(body.linvel()), spin = three(body.angvel());
     const near = (of, most) => this.steps > 0 && Math.hypot(...of) > 0.999 * most;
     const most_spin = most_turn / this.dt;
-    if (near(velocity, most_speed)) this.tell('speed', start.name, `holds speeds to ${most_speed} m/s, and it is there`);
+    if (near(velocity, most_speed * this.unit)) this.tell('speed', start.name, `holds speeds to ${most_speed * this.unit} m/s, and it is there`);
     if (near(spin, most_spin)) this.tell('spin', start.name, `holds angular speeds to ${most_spin.toPrecision(6)} rad/s, a quarter of pi in a step, and it is there`);
     return {position: three(body.translation()), orientation: [q.w, q.x, q.y, q.z], velocity, spin};
   }

@@ -213,10 +213,12 @@ function serve(session) {
   return 0;
 }
 
-/** A package that is not installed is no failure of the engine. */
+/** A package that is not installed, or not whole, is no failure of the engine. */
 function refuse_to_start(error) {
-  if (error.code !== 'ERR_MODULE_NOT_FOUND' && error.code !== 'MODULE_NOT_FOUND') throw error;
-  say({unsupported: `its npm package is not installed; \`./run engines\` installs it (${error.message.split('\n')[0]})`});
+  const absent = error.code === 'ERR_MODULE_NOT_FOUND' || error.code === 'MODULE_NOT_FOUND';
+  const says = `${error.name}: ${error.message.split('\n')[0]}`;
+  say({unsupported: absent ? `its npm package is not installed; \`./run engines\` installs it (${says})`
+    : `it does not start in Node ${process.versions.node} (${says}); where its npm package is damaged, \`./run engines\` installs it anew once the folder node_modules beside its worker is deleted`});
   return 1;
 }
 

@@ -201,6 +201,15 @@ test('rapier tells what it holds a motion to', {skip: !engines.includes('rapier'
   assert.deepEqual(talk('rapier', [load(), run()]).messages.at(-1).remarks, []);
 });
 
+test('the cap of speeds on rapier goes with its unit of length', {skip: !engines.includes('rapier')}, () => {
+  const speed = (unit) => {
+    const messages = talk('rapier', [load({scene: scene({body: [body({velocity: [0, 1000, 0], angular_velocity: [0, 0, 0]})]}), dt: 0.01, options: {'length-unit': unit}}), run({steps: 1})]).messages;
+    return (messages.at(-2).frame.states[0][1] - messages.at(-3).frame.states[0][1]) / 0.01;
+  };
+  assert.ok(Math.abs(speed('1') - 400) < 0.1, `${speed('1')}`);
+  assert.ok(Math.abs(speed('10') - 1000) < 0.1, `${speed('10')}`);
+});
+
 test('the builds of rapier have the same bits, and names of their own', {skip: !['rapier', 'rapier-deterministic'].every((e) => engines.includes(e))}, () => {
   const floor = {plane: [{name: 'floor', normal: [0, 1, 0], offset: -1}], material: [{between: ['*', '*'], restitution: 0.4, friction: 0.3}]};
   const box = (name, x) => body({name, collide: true, position: [x, 0.2, 0], shape: {type: 'box', half_extents: [0.3, 0.2, 0.4]}});
