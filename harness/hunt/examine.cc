@@ -50,7 +50,8 @@ struct Asked {
     fault.unit = unit;
   }
   void note(const Verdict& row) {
-    if (row.status == Status::unsupported) {
+    // Without a number, fail: the engine starts a restated scene from another state.
+    if (row.status == Status::unsupported || (row.status == Status::fail && std::isnan(row.measured))) {
       answers = false;
       return;
     }

@@ -18,14 +18,14 @@ const H = await init({wasmBinary: fs.readFileSync(file)});
 
 constexpr std::string_view functions = R"(
 const xyzw = ([w, x, y, z]) => [x, y, z, w];
-const of = ([result, value]) => value, least = H.MaterialCombine.MINIMUM;
+const of = ([result, value]) => value, minimum = H.MaterialCombine.MINIMUM;
 let world, id, shape, ground, speed = 200, spin = 100;
 
 function make(x, q, type, shape) {
   const made = of(H.HP_Body_Create());
   H.HP_Body_SetMotionType(made, type);
   if (shape) {
-    H.HP_Shape_SetMaterial(shape, [${friction}, ${friction}, ${restitution}, least, least]), H.HP_Shape_SetFilterInfo(shape, [1, -1]);
+    H.HP_Shape_SetMaterial(shape, [${friction}, ${friction}, ${restitution}, minimum, minimum]), H.HP_Shape_SetFilterInfo(shape, [1, -1]);
     H.HP_Body_SetShape(made, shape);
   }
   H.HP_Body_SetQTransform(made, [x, xyzw(q)]);

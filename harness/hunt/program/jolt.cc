@@ -12,11 +12,11 @@ const J = await init();
 const vec = (v) => new J.Vec3(...v), real = (v) => new J.RVec3(...v), quat = ([w, x, y, z]) => new J.Quat(x, y, z, w);
 const xyz = (v) => [v.GetX(), v.GetY(), v.GetZ()];
 const fixed = 0, free = 1, ghost = 2;  // layers
-let jolt, system, apart, id, shape, convex_radius = 0.05;
+let jolt, system, filter, id, shape, convex_radius = 0.05;
 
 function enter(settings, i) {
   settings.mRestitution = ${restitution}, settings.mFriction = ${friction};
-  settings.mCollisionGroup.SetGroupFilter(apart), settings.mCollisionGroup.SetGroupID(0), settings.mCollisionGroup.SetSubGroupID(i);
+  settings.mCollisionGroup.SetGroupFilter(filter), settings.mCollisionGroup.SetGroupID(0), settings.mCollisionGroup.SetSubGroupID(i);
   const bodies = system.GetBodyInterface(), made = bodies.CreateBody(settings);
   bodies.AddBody(made.GetID(), J.EActivation_Activate);
   return made;
@@ -32,7 +32,7 @@ function build(take) {
   system.SetGravity(vec(gravity[take]));
   const physics = system.GetPhysicsSettings();
 ${world_settings}  system.SetPhysicsSettings(physics);
-  apart = new J.GroupFilterTable(count + 1), shape = [];
+  filter = new J.GroupFilterTable(count + 1), shape = [];
 ${planes}${shapes}  id = body.map(({m, I}, i) => {
     const {x, q, v, w} = start[take][i];
     const settings = new J.BodyCreationSettings(
@@ -55,7 +55,7 @@ function plane(normal, foot) {
 function join(settings, numbers, a, b) {
   Object.assign(settings, numbers);
   system.AddConstraint(settings.Create(id[a], b < 0 ? J.JoltInterface.prototype.sGetFixedToWorldBody() : id[b]));
-  if (b >= 0) apart.DisableCollision(a, b);
+  if (b >= 0) filter.DisableCollision(a, b);
 }
 
 const hinge = (p, a) => ({mPoint1: real(p), mPoint2: real(p), mHingeAxis1: vec(a), mHingeAxis2: vec(a), mNormalAxis1: vec(across(a)),

@@ -1,0 +1,114 @@
+// ODE 0.16.2, penetration: 3 bodies, sphere.
+// What should happen: solids do not pass into each other.
+// It prints 0.1 m.
+// apt-get install g++ pkg-config libode-dev && c++ -std=c++20 ode-penetration-f0c88a.cc -o fault $(pkg-config --cflags --libs ode) && ./fault
+#include <ode/ode.h>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <valarray>
+#include <vector>
+
+using std::abs, std::asin, std::cos, std::max, std::min, std::sqrt;
+using V = std::valarray<double>;  // vectors (x, y, z) in world axes, quaternions (w, x, y, z) from body to world axes
+V sub(const V& a, const V& b) { return a - b; }
+double dot(const V& a, const V& b) { return (a * b).sum(); }
+double norm(const V& a) { return sqrt(dot(a, a)); }
+
+struct State { V x, q, v, w; };  // centre of mass [m], turn, velocity [m/s], spin [rad/s]
+struct Body { double m; V I; };  // mass [kg], moments about the axes of the body [kg m^2]
+using Path = std::vector<std::vector<State>>;
+Path record(const std::vector<State>& s) { return {s}; }
+void append(Path& path, const std::vector<State>& s) { path.push_back(s); }
+
+const std::vector<Body> body = {{1.0, V{0.00625, 0.00625, 0.00625}}, {1.0, V{0.00625, 0.00625, 0.00625}}, {1.0, V{0.00625, 0.00625, 0.00625}}};
+const Path start = {{{V{0.0, 0.0, 0.0}, V{1.0, 0.0, 0.0, 0.0}, V{1.0, 0.0, 0.0}, V{0.0, 0.0, 0.0}}, {V{0.25, 0.0, 0.0}, V{1.0, 0.0, 0.0, 0.0}, V{0.0, 0.0, 0.0}, V{0.0, 0.0, 0.0}}, {V{0.5, 0.0, 0.0}, V{1.0, 0.0, 0.0, 0.0}, V{0.0, 0.0, 0.0}, V{0.0, 0.0, 0.0}}}};
+const std::vector<V> gravity = {V{0.0, 0.0, 0.0}};
+const double dt = 0.1;
+const int steps = 1, count = 3;
+
+dWorldID world;
+dSpaceID space;
+dJointGroupID contacts;
+std::vector<dBodyID> id;
+
+void touch(void*, dGeomID a, dGeomID b) {
+  dContact contact[8] = {};
+  const int n = dCollide(a, b, 8, &contact[0].geom, sizeof(dContact));
+  if (dGeomGetBody(a) && dGeomGetBody(b) && dAreConnected(dGeomGetBody(a), dGeomGetBody(b))) return;
+  for (int i = 0; i < n; ++i) {
+    contact[i].surface.mode = dContactApprox1 | dContactBounce;
+    contact[i].surface.mu = 0.0;
+    contact[i].surface.bounce = 0.0;
+    dJointAttach(dJointCreateContact(world, contacts, &contact[i]), dGeomGetBody(a), dGeomGetBody(b));
+  }
+}
+
+void build(int take) {
+  dInitODE2(0);
+  world = dWorldCreate(), space = dHashSpaceCreate(nullptr), contacts = dJointGroupCreate(0);
+  dWorldSetGravity(world, gravity[take][0], gravity[take][1], gravity[take][2]);
+  dWorldSetERP(world, 0.2);
+  dWorldSetCFM(world, 1e-10);
+  dWorldSetContactSurfaceLayer(world, 0);
+  id.clear();
+  for (int i = 0; i < count; ++i) {
+    const State& s = start[take][i];
+    const V& I = body[i].I;
+    dMass mass;
+    dMassSetParameters(&mass, body[i].m, 0, 0, 0, I[0], I[1], I[2], 0, 0, 0);
+    id.push_back(dBodyCreate(world));
+    dBodySetMass(id[i], &mass);
+    dBodySetPosition(id[i], s.x[0], s.x[1], s.x[2]);
+    dBodySetQuaternion(id[i], &s.q[0]);
+    dBodySetLinearVel(id[i], s.v[0], s.v[1], s.v[2]);
+    dBodySetAngularVel(id[i], s.w[0], s.w[1], s.w[2]);
+    dBodySetFiniteRotationMode(id[i], 1);
+  }
+  dGeomSetBody(dCreateSphere(space, 0.125), id[0]);
+  dGeomSetBody(dCreateSphere(space, 0.125), id[1]);
+  dGeomSetBody(dCreateSphere(space, 0.125), id[2]);
+}
+
+void push(int i, const V& F, const V& T) {
+  dBodyAddForce(id[i], F[0], F[1], F[2]);
+  dBodyAddTorque(id[i], T[0], T[1], T[2]);
+}
+
+void step() {
+  dSpaceCollide(space, nullptr, touch);
+  dWorldStep(world, dt);
+  dJointGroupEmpty(contacts);
+}
+
+std::vector<State> states() {
+  std::vector<State> all;
+  for (dBodyID b : id)
+    all.push_back({V(dBodyGetPosition(b), 3), V(dBodyGetQuaternion(b), 4), V(dBodyGetLinearVel(b), 3), V(dBodyGetAngularVel(b), 3)});
+  return all;
+}
+
+auto run(const auto& take) {
+  build(take);
+  auto path = record(states());
+  for (auto k = 1; k <= steps; ++k) {
+    step();
+    append(path, states());
+  }
+  return path;
+}
+
+auto value(const auto& s) {
+  auto depth = 0.0;
+  depth = max(depth, 0.25 - norm(sub(s[0].x, s[1].x)));
+  depth = max(depth, 0.25 - norm(sub(s[0].x, s[2].x)));
+  depth = max(depth, 0.25 - norm(sub(s[1].x, s[2].x)));
+  return depth;
+}
+
+int main() {
+  auto path = run(0);
+  auto worst = 0.0;
+  for (auto k = 1; k <= steps; ++k) worst = max(worst, abs(value(path[k]) - value(path[0])));
+  std::printf("%.9g m\n", worst);
+}
