@@ -79,6 +79,13 @@ void apply(const Spring& spring, Scene& scene) {
   scene.push(spring.to, b.arm, -force);
 }
 
+// About the centre of mass: L_spin = L - r x m v, where the reference point is the pivot v = w x r.
+Vector3 spin_momentum(const Scene& scene, std::size_t i) {
+  const Vector3 arm = scene.centre(i);
+  return scene.motion[i].angular_momentum -
+         arm.cross(scene.bodies[i].mass * scene.kinematics[i].angular_velocity.cross(arm));
+}
+
 void apply(const Drag& drag, Scene& scene) {
   const std::size_t i = index(drag.body);
   const Kinematics& k = scene.kinematics[i];
@@ -87,10 +94,7 @@ void apply(const Drag& drag, Scene& scene) {
     scene.push(drag.body, arm, -drag.linear * (k.velocity + k.angular_velocity.cross(arm)));
   }
   if (drag.angular == 0 && drag.momentum == 0) return;
-  // L_spin = L - r x m v, where the reference point is the pivot v = w x r
-  const Vector3 spin =
-      scene.motion[i].angular_momentum - arm.cross(scene.bodies[i].mass * k.angular_velocity.cross(arm));
-  scene.twist(drag.body, -drag.angular * k.angular_velocity - drag.momentum * spin);
+  scene.twist(drag.body, -drag.angular * k.angular_velocity - drag.momentum * spin_momentum(scene, i));
 }
 
 void apply(const Thrust& thrust, Scene& scene) {
@@ -135,7 +139,7 @@ void apply(const Water& water, Scene& scene) {
     if (water.mode == WaterMode::step) {
       if (!water.under(i, scene.time, centre)) continue;
       scene.push(body, arm, water.buoyancy * Vector3::UnitY() - water.drag * velocity);
-      scene.twist(body, -scene.motion[i].angular_momentum);
+      scene.twist(body, -spin_momentum(scene, i));
       continue;
     }
     const Submerged part =

@@ -209,7 +209,8 @@ class Stages {
     const std::optional<int> rank = joint_rank(model_);
     const int m = rank.value_or(rows);
     std::string reason = std::to_string(freedom - m) + " = " + std::to_string(freedom) + " of " +
-                         std::to_string(model_.bodies.size()) + " bodies - " + std::to_string(m) +
+                         std::to_string(model_.bodies.size()) +
+                         (model_.bodies.size() == 1 ? " body - " : " bodies - ") + std::to_string(m) +
                          " by joints";
     if (!rank) reason += ", if no two of them say the same";
     if (m < rows) reason += "; " + std::to_string(rows - m) + " conditions of joints follow from the others";

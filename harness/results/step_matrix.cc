@@ -112,8 +112,8 @@ std::vector<StepCell> step_cells(const TradeTable& table) {
 std::optional<DigitsAt> digits_at(const TradeTable& table, const TradeSeries& series, double dt) {
   for (std::size_t i = 0; i < series.points.size(); ++i) {
     const TradePoint& point = series.points[i];
-    // Steps are as near to dt as a duration allows that both divide.
-    if (!series.adaptive && point.dt > dt * (1 + 1e-9)) continue;
+    // Steps are near to dt, as a duration allows that they divide: 1.0016 ms is a step of 1 ms, and half of it is none.
+    if (!series.adaptive && point.dt > 1.02 * dt) continue;
     const double error = error_of(table, point);
     if (!std::isfinite(error)) return std::nullopt;
     return DigitsAt{i, std::min(16.0, -std::log10(std::max(error, 1e-16)))};

@@ -30,6 +30,21 @@ double speed_at(const core::Scene& scene, int body, const Vector3& point) {
   return s.velocity.norm() + s.angular_velocity.norm() * (point - s.position).norm();
 }
 
+// What rounding makes of the fastest motion of a scene: as little of any other is no speed.
+constexpr double rounding = 1e-14;
+double fastest(const core::Scene& scene) {
+  double most = 0;
+  for (const core::Body& body : scene.bodies)
+    most = std::max(most, body.initial.velocity.norm() +
+                              body.initial.angular_velocity.norm() * body.initial.position.norm());
+  return most;
+}
+double fastest_spin(const core::Scene& scene) {
+  double most = 0;
+  for (const core::Body& body : scene.bodies) most = std::max(most, body.initial.angular_velocity.norm());
+  return most;
+}
+
 Vector3 spin_of(const core::Scene& scene, int body) {
   return body == core::world ? Vector3::Zero()
                              : scene.bodies[static_cast<std::size_t>(body)].initial.angular_velocity;
@@ -46,7 +61,7 @@ void check_velocity(const Table& t, Draft& draft, const core::Joint& joint, cons
   const Vector3& excess = forbidden.velocity;
   const double speeds = speed_at(draft.scene, joint.body, from) + speed_at(draft.scene, joint.to, end);
   const Vector3 consistent = s.velocity - excess;
-  if (excess.norm() > typed * speeds)
+  if (excess.norm() > std::max(typed * speeds, rounding * fastest(draft.scene)))
     origin.fail("velocity", fmt::format("velocity = {} breaks the {} joint of '{}' by {} m/s; consistent: {}",
                                         written(s.velocity), t.text("type"), t.text("body"), excess.norm(),
                                         written(consistent)));
@@ -54,7 +69,8 @@ void check_velocity(const Table& t, Draft& draft, const core::Joint& joint, cons
   if (joint.to == core::world && excess.norm() > 1e-12 * speeds) s.velocity = consistent;
 
   const Vector3& twist = forbidden.spin;
-  if (twist.norm() > typed * (s.angular_velocity.norm() + spin_of(draft.scene, joint.to).norm()))
+  const double spins = s.angular_velocity.norm() + spin_of(draft.scene, joint.to).norm();
+  if (twist.norm() > std::max(typed * spins, rounding * fastest_spin(draft.scene)))
     origin.fail("angular_velocity",
                 fmt::format("angular_velocity = {} breaks the {} joint of '{}' by {} rad/s; consistent: {}",
                             written(s.angular_velocity), t.text("type"), t.text("body"), twist.norm(),

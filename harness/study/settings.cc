@@ -64,8 +64,10 @@ std::vector<std::string> variants(const std::string& id, const core::Engine& eng
   for (const Trial& trial : trial_options)
     for (const core::Option& option : engine.options) {
       if (option.name != trial.name || !trial.matters(scene)) continue;
+      // What a row does by itself: the engine's own, or our first where the engine has none of them.
+      const bool is_own = std::ranges::find(option.values, option.engine_default) == option.values.end();
       for (const std::string& value : option.values)
-        if (value != option.engine_default)
+        if (value != option.engine_default && !(is_own && value == option.values.front()))
           ids.push_back(with_option(id, fmt::format("{}={}", option.name, value)));
     }
   for (const NumberTrial& trial : trial_numbers)

@@ -244,7 +244,7 @@ std::vector<Verdict> theorize(const Cell& cell, const process::Limits& limits,
       Verdict& row = rows.back();
       row.status = results::judge(row.measured, row.allowed);
       if (!found.binds && row.status != results::Status::non_finite) {
-        row.status = row.expected = results::Status::unsupported;
+        row.status = row.expected = results::Status::undecided;  // it ran, and is no refusal
         row.detail =
             "Theory bounds nothing at this step: it allows an error as large as the motion. Take a "
             "smaller step.";

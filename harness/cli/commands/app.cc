@@ -198,7 +198,9 @@ int run_command_line(int argc, char** argv) {
       "Run engines in a sandbox (bubblewrap): no network, no files but read-only ones of the system, of this "
       "folder and of the engine. What began with it is resumed only with it");
   app.footer(
-      "Exit codes: 0 all as expected, 1 a verdict differs or a regression is confirmed, 2 bad input, 3 "
+      "Exit codes: 0 all as expected, 1 a verdict differs, a regression is confirmed, recordings differ "
+      "(diff), a fault "
+      "is found (hunt), no setting meets the tolerance (advise) or a fit fails, 2 bad input, 3 "
       "undecided (with --strict) or a bound not reached (truth), 4 nothing selected or compared, 5 internal "
       "failure, 6 cells are missing (merge), 130 "
       "interrupted, 141 nobody read the output to its end.");

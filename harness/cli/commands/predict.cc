@@ -152,6 +152,12 @@ ordered_json told_nearer(const Options& options, const Task& task,
     const std::string nearest = answer == validation::Answer::inside    ? first
                                 : answer == validation::Answer::outside ? second
                                                                         : "undecided";
+    if (one == 0 && other == 0) {
+      words(options) << plain_line(fmt::format(
+                            "nearer at rest: {} and {} predicted no run alike: not compared", first, second))
+                     << '\n';
+      continue;
+    }
     words(options) << plain_line(fmt::format("nearer at rest: {} in {} runs, {} in {}: {} (p = {:.2g}, Holm)",
                                              first, one, second, other, nearest, p))
                    << '\n';

@@ -117,6 +117,8 @@ void add_scenarios(const Context& context, const std::vector<results::Verdict>& 
 
 int run(const Context& context, const Options& options) {
   if (!options.html.empty()) require_writable(options.html);
+  if (options.html.empty() && !options.baseline.empty())
+    throw core::InputError("--baseline: only a page compares with it; give --html FILE");
   reports::HtmlReport report;
   for (const std::string& file : options.files) take(file, report);
   if (!options.baseline.empty())

@@ -83,9 +83,10 @@ int run(const Context& context, const RunOptions& options) {
   require_writable(files);
   if (options.trajectories != Trajectories::all && options.html.empty() && options.traces.empty())
     throw core::InputError("--trajectories: nothing holds trajectories; give --html or --traces");
-  if (!options.plots.empty() && !fs::is_directory(options.plots))
+  if (std::error_code error; !options.plots.empty() && !fs::is_directory(options.plots) &&
+                             !fs::create_directories(options.plots, error))
     throw core::InputError(fmt::format("--plots {}: {}", options.plots,
-                                       fs::exists(options.plots) ? "is no folder" : "no such folder"));
+                                       fs::exists(options.plots) ? "is no folder" : error.message()));
   const scenario::Expectations expectations = cli::expectations(context);
 
   const std::optional<Shard> shard = shard_asked(options.shard, context.farm);
@@ -116,7 +117,7 @@ int run(const Context& context, const RunOptions& options) {
     std::erase_if(selection.cells,
                   [&](const study::Cell& cell) { return !last.differing.contains(cell_name(cell)); });
     if (selection.cells.empty()) {
-      std::cerr << "nothing differed in the last run in this folder\n";
+      std::cerr << "of the cells that ran in this folder, none differed\n";
       return nothing_selected;
     }
   }

@@ -182,8 +182,8 @@ int truth(const Context& context, Options options) {
     std::cout << plain(table(scenario.scene, found, options.digits));
   if (!options.out.empty()) write_whole(options.out, json(scenario.scene, scenario.name, options, found));
   std::cerr << impact_lines(scenario.scene, plain_line(scenario.name), found, options.digits);
-  std::cerr << plain_line(fmt::format("{}: radius {:.2g} proven, {} bits, {} steps", scenario.name,
-                                      found.radius, found.bits, found.steps))
+  std::cerr << plain_line(fmt::format("{}: radius {:.2g} proven, {} bits, {} step{}", scenario.name,
+                                      found.radius, found.bits, found.steps, found.steps == 1 ? "" : "s"))
             << '\n';
   if (found.reached) return ok;
   std::cerr << plain_line(fmt::format("{}: {}; try a larger --bits", scenario.name, found.reason)) << '\n';

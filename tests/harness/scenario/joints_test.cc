@@ -177,6 +177,11 @@ TEST(Joints, VelocitiesMustBeAllowed) {
   EXPECT_EQ(refusal(moving("universal", two, "angular_velocity = [1, 0, 2]\n")), "accepted");
   EXPECT_NE(refusal(moving("universal", two, "angular_velocity = [1, 1, 2]\n")).find("breaks the universal"),
             std::string::npos);
+  // What an export and an import leave of a body at rest beside one that moves: it was refused.
+  const std::string other = "[[body]]\nname = \"b\"\nmass = 1\ninertia = [1, 1, 1]\nvelocity = [1, 0, 0]\n";
+  const std::string residue = moving("universal", two, "velocity = [0, 7e-18, 0]\n");
+  EXPECT_EQ(refusal(residue + other), "accepted");
+  EXPECT_NE(refusal(residue).find("breaks the universal"), std::string::npos);
 }
 
 TEST(Joints, ClaimsNameThem) {
