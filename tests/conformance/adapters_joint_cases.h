@@ -61,7 +61,7 @@ inline constexpr Taken taken[] = {
     {"bullet-multibody", 4, 12, 4},
     {"bullet-multibody-float", 4, 12, 4},
     {"simbody", 7},
-    {"dart", 6, 12, 4},  // nothing that turns about an axis and slides along it, and no stop that gives back
+    {"dart", 6, 16, 6},  // nothing that turns about an axis and slides along it, and no stop that gives back
     {"mujoco3", 8, 20, 6, 6},  // as mujoco
     // no screws, no single stop of an angle, no stop that gives back; Rapier also no universal joint
     {"jolt", 7, 8, 4},

@@ -226,9 +226,9 @@ Reason against_two_movers(const core::Joint& joint, const std::string& of, bool 
           "(BulletDynamics/ConstraintSolver/btSliderConstraint.h:204); {} has a restitution.",
           of);
   for (const core::JointAngle& c : joint.angles)
-    if (resists(c))
+    if (core::has_limit(c) && !ahead)
       return fmt::format(
-          "This adapter maps no stops and no friction of the angle of {}, whose bodies both move.", of);
+          "This adapter maps no stops of the angle of {}, whose bodies both move, without stops-ahead.", of);
   return {};
 }
 
@@ -298,18 +298,21 @@ std::unique_ptr<btTypedConstraint> make_joint(const core::Joint& joint, btRigidB
   return nullptr;
 }
 
-// A row along the axis alone: the points where it pushes the two lie on one line along it, whatever the displacement.
+// Rows along and about the axis alone: the points where they push the two lie on one line along it, whatever the
+// displacement.
 std::unique_ptr<btTypedConstraint> make_stop(const core::Joint& joint, btRigidBody& body, btRigidBody* to,
                                              const BulletStops& stops) {
   const bool both = to && !body.isStaticObject() && !to->isStaticObject();
   const bool slides = joint.type == JointType::slider || joint.type == JointType::cylindrical;
-  if (!stops.ahead || !both || !slides || !limited(joint)) return nullptr;
-  core::JointCoordinate c = acting(joint.displacements, core::Ordinal::first);
-  c.friction = 0;  // which the slider has
+  core::JointCoordinate along = acting(joint.displacements, core::Ordinal::first);
+  const core::JointCoordinate about = acting(joint.angles, core::Ordinal::first);
+  along.friction = 0;                                          // which the slider has
+  if (!stops.ahead) along.lower.reset(), along.upper.reset();  // the same
+  if (!both || !slides || !(core::has_limit(along) || resists(about))) return nullptr;
   const Vector3 origin = origin_of(joint, body, *to);
   SixFreedoms six(*to, body, frame_in(*to, joint, origin), frame_in(body, joint, origin), stops.erp);
   six.frees_all();
-  six.slides(0, c);
+  six.slides(0, along), six.turns(0, about);
   return six.made();
 }
 

@@ -25,7 +25,8 @@ std::optional<std::string> unsupported(const core::Scene&, const core::Joint&, b
 std::unique_ptr<btTypedConstraint> make_joint(const core::Joint&, btRigidBody& body, btRigidBody* to,
                                               double dt, const BulletStops&);
 
-/// The stops of that joint that are a constraint of their own, or null: those of sliders between two bodies that move.
+/// The stops of that joint that are a constraint of their own, or null: those of sliders and cylindrical joints between
+/// two bodies that move, and the friction of the angle of these.
 std::unique_ptr<btTypedConstraint> make_stop(const core::Joint&, btRigidBody& body, btRigidBody* to,
                                              const BulletStops&);
 

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace cylon::simulators {
 namespace {
 
@@ -33,28 +35,42 @@ bool hangs(JointType type) {
 }
 bool closes(JointType type) { return core::kind_of(type).turns_freely() || type == JointType::fixed; }
 
+bool holds(const core::JointCoordinate& c) { return core::has_limit(c) || c.friction != 0; }
+
 // Stops and dry friction.
 Reason against_coordinates(const Scene& scene, const core::Joint& joint) {
-  const bool holds = joint.type == JointType::hinge || joint.type == JointType::slider;
   Reason reason;
   core::for_each_coordinate(joint, [&](const core::JointCoordinate& c) {
-    const std::string& name = body(scene, joint.body).name;
     if (core::has_limit(c) && c.restitution > 0)
       reason = fmt::format(
           "The joint of '{}' bounces from its limits, and DART has no restitution there "
           "(constraint/JointConstraint.cpp).",
-          name);
-    else if (!holds && (core::has_limit(c) || c.friction != 0))
-      reason = fmt::format(
-          "This adapter maps limits and friction of hinges and sliders; the {} joint of '{}' has some.",
-          core::kind_of(joint.type).name, name);
+          body(scene, joint.body).name);
   });
   return reason;
 }
 
+// The displacements of a planar joint are of axes that `to` carries, DART's of those of the parent.
+Reason against_hanging(const Scene& scene, const applied::Forest& forest, const core::Joint& joint,
+                       std::size_t index) {
+  const auto moves = [&](int i) { return i != core::world && !body(scene, i).locked; };
+  if (joint.type != JointType::planar || !moves(joint.to) ||
+      forest.nodes[static_cast<std::size_t>(joint.to)].joint != static_cast<int>(index))
+    return {};
+  for (const core::JointDisplacement& c : joint.displacements)
+    if (holds(c))
+      return fmt::format(
+          "The planar joint of '{}' hangs '{}' from it, and the displacements that DART holds are of the "
+          "parent's axes (dart/dynamics/PlanarJoint.cpp).",
+          body(scene, joint.body).name, body(scene, joint.to).name);
+  return {};
+}
+
 Reason against_joints(const Scene& scene) {
   const auto moves = [&](int i) { return i != core::world && !body(scene, i).locked; };
-  for (const core::Joint& joint : scene.joints) {
+  const applied::Forest forest = applied::forest_of(scene);
+  for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+    const core::Joint& joint = scene.joints[j];
     if (!moves(joint.body) && !moves(joint.to)) continue;  // holds nothing
     const core::JointKind& kind = core::kind_of(joint.type);
     if (kind.has_length())
@@ -67,12 +83,18 @@ Reason against_joints(const Scene& scene) {
           "one of '{}'.",
           kind.name, body(scene, joint.body).name);
     if (Reason reason = against_coordinates(scene, joint)) return reason;
+    if (Reason reason = against_hanging(scene, forest, joint, j)) return reason;
   }
-  for (const std::size_t j : applied::forest_of(scene).loops) {
+  for (const std::size_t j : forest.loops) {
     const core::Joint& joint = scene.joints[j];
     if (!closes(joint.type))
       return fmt::format(
           "The {} of '{}' closes a loop, for which DART has a ball and a weld alone (dart/constraint/).",
+          core::kind_of(joint.type).name, body(scene, joint.body).name);
+    if (std::ranges::any_of(joint.angles, holds))
+      return fmt::format(
+          "The {} of '{}' closes a loop, and DART's ball for that has no limits and no friction "
+          "(constraint/BallJointConstraint.cpp).",
           core::kind_of(joint.type).name, body(scene, joint.body).name);
   }
   return {};

@@ -27,8 +27,13 @@ core::Vector3 velocity_at(const core::BodyState& body, const core::Vector3& poin
 Hang hang_of(const core::Joint& joint) {
   switch (joint.type) {
     case JointType::ball:
-    case JointType::gimbal:  // of which the angles are counted
       return Hang::by_ball;
+    case JointType::gimbal: {  // a ball, but where something holds one of its angles
+      bool held = false;
+      core::for_each_coordinate(
+          joint, [&](const core::JointCoordinate& c) { held |= core::has_limit(c) || c.friction != 0; });
+      return held ? Hang::by_gimbal : Hang::by_ball;
+    }
     case JointType::hinge:
       return Hang::by_hinge;
     case JointType::slider:
@@ -46,16 +51,27 @@ Hang hang_of(const core::Joint& joint) {
   }
 }
 
-// What holds the one coordinate of a joint; DART counts the child against its parent.
+// The place in Body::held of a coordinate.  From the other side, R(axis, first) R(axis_2, second) is
+// R(axis_2, -second) R(axis, -first).
+std::size_t place_of(const core::Joint& joint, const core::JointCoordinate& c, bool slides, bool reversed) {
+  if (joint.type == JointType::planar && !slides) return 2;
+  if (core::kind_of(joint.type).turns_between_axes() && c.which != core::Ordinal::third)
+    return (c.which == core::Ordinal::second) != reversed ? 1 : 0;
+  return static_cast<std::size_t>(c.which);
+}
+
+// What holds the coordinates of a joint; DART counts the child against its parent.
 void hold(dart_border::Body& body, const core::Joint& joint, bool reversed) {
-  core::for_each_coordinate(joint, [&](core::JointCoordinate c) {
-    if (!core::has_limit(c) && c.friction == 0)
-      return;  // dart_limit lets these through on joints of one freedom
-    if (reversed) core::reverse(c);
-    if (c.lower) body.lower = *c.lower - c.start;
-    if (c.upper) body.upper = *c.upper - c.start;
-    body.friction = c.friction;
-  });
+  const auto one = [&](core::JointCoordinate c, bool slides) {
+    dart_border::Held& held = body.held[place_of(joint, c, slides, reversed)];
+    // The third angle of a gimbal is that between its axes, from either side.
+    if (reversed && c.which != core::Ordinal::third) core::reverse(c);
+    if (c.lower) held.lower = *c.lower - c.start;
+    if (c.upper) held.upper = *c.upper - c.start;
+    held.friction = c.friction;
+  };
+  for (const core::JointCoordinate& c : joint.displacements) one(c, true);
+  for (const core::JointCoordinate& c : joint.angles) one(c, false);
 }
 
 }  // namespace
@@ -91,8 +107,8 @@ std::vector<dart_border::Body> dart_bodies(const Scene& scene, const applied::Fo
       one.hang = hang_of(joint), one.parent = node.parent;
       one.point = to_dart(joint.point), one.axis = to_dart(joint.axis);
       one.axis_2 = to_dart(joint.axis_2.value_or(joint.axis)), one.pitch = joint.pitch;
-      // The first axis of a universal joint is fixed in `to`, which may be the child here.
-      if (joint.type == JointType::universal && joint.body != static_cast<int>(i))
+      // The first axis of a universal joint or a gimbal is fixed in `to`, which may be the child here.
+      if (core::kind_of(joint.type).turns_between_axes() && joint.body != static_cast<int>(i))
         std::swap(one.axis, one.axis_2);
       one.turn_rate = to_dart(spin), one.slide_rate = to_dart(slide);
       hold(one, joint, joint.body != static_cast<int>(i));

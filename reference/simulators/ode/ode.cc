@@ -243,6 +243,7 @@ void Ode::add_joint(std::size_t index) {
       dJointID id = attach(dJointCreatePiston(world_->id, nullptr));
       dJointSetPistonAnchor(id, p.x(), p.y(), p.z());
       dJointSetPistonAxis(id, joint.axis.x(), joint.axis.y(), joint.axis.z());
+      ode_limit_piston(id, joint, a == nullptr, settings_.stop_erp);
       return;
     }
     case JointType::universal: {  // ODE's first axis is fixed in its first body
@@ -252,6 +253,7 @@ void Ode::add_joint(std::size_t index) {
       dJointSetUniversalAnchor(id, p.x(), p.y(), p.z());
       dJointSetUniversalAxis1(id, first.x(), first.y(), first.z());
       dJointSetUniversalAxis2(id, second.x(), second.y(), second.z());
+      ode_limit_universal(id, joint, a == nullptr, settings_.stop_erp);
       return;
     }
     case JointType::planar:

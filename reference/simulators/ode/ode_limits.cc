@@ -62,13 +62,14 @@ Reason against(const Scene& scene, const core::Pair& pair) {
 }
 
 Reason against(const Scene& scene, const core::Joint& joint) {
-  const bool one = joint.type == core::JointType::hinge || joint.type == core::JointType::slider;
   Reason reason;
   core::for_each_coordinate(joint, [&](const core::JointCoordinate& c) {
-    if (!one && (core::has_limit(c) || c.friction != 0))
+    if (joint.type == core::JointType::gimbal && (core::has_limit(c) || c.friction != 0))
       reason = fmt::format(
-          "This adapter maps limits and friction of hinges and sliders; the {} joint of '{}' has some.",
-          core::kind_of(joint.type).name, body(scene, joint.body).name);
+          "ODE's ball has no limits and no friction (ode/src/joints/ball.cpp), and its motor of Euler angles "
+          "leaves the axes as long as the sine of the angle between them "
+          "(ode/src/joints/amotor.cpp, dxJointAMotor::getInfo2); the gimbal joint of '{}' has some.",
+          body(scene, joint.body).name);
   });
   for (const core::JointAngle& c : joint.angles)
     for (const auto& stop : {c.lower, c.upper})

@@ -30,4 +30,21 @@ void ode_limit_slider(dJointID id, const core::Joint& joint, bool reversed, std:
     limit(c, reversed, erp, [&](int parameter, double value) { dJointSetSliderParam(id, parameter, value); });
 }
 
+void ode_limit_piston(dJointID id, const core::Joint& joint, bool reversed, std::optional<double> erp) {
+  for (const core::JointDisplacement& c : joint.displacements)
+    limit(c, reversed, erp, [&](int parameter, double value) { dJointSetPistonParam(id, parameter, value); });
+  for (const core::JointAngle& c : joint.angles)
+    limit(c, reversed, erp,
+          [&](int parameter, double value) { dJointSetPistonParam(id, dParamGroup + parameter, value); });
+}
+
+void ode_limit_universal(dJointID id, const core::Joint& joint, bool reversed, std::optional<double> erp) {
+  for (const core::JointAngle& c : joint.angles) {
+    const bool of_first_body = (c.which == core::Ordinal::second) != reversed;
+    const int group = of_first_body ? 0 : dParamGroup;
+    limit(c, reversed, erp,
+          [&](int parameter, double value) { dJointSetUniversalParam(id, group + parameter, value); });
+  }
+}
+
 }  // namespace cylon::simulators

@@ -14,5 +14,9 @@ namespace cylon::simulators {
 /// `erp`: share of what goes past a stop that is corrected in a step; nothing: that of the world.
 void ode_limit_hinge(dJointID, const core::Joint&, bool reversed, std::optional<double> erp);
 void ode_limit_slider(dJointID, const core::Joint&, bool reversed, std::optional<double> erp);
+/// ODE's second group of parameters is that of the angle.
+void ode_limit_piston(dJointID, const core::Joint&, bool reversed, std::optional<double> erp);
+/// ODE's first group is that of the axis which its first body carries.
+void ode_limit_universal(dJointID, const core::Joint&, bool reversed, std::optional<double> erp);
 
 }  // namespace cylon::simulators

@@ -73,12 +73,12 @@ SimbodyWorld::SimbodyWorld(const Scene& scene, const applied::Forest& forest, Si
 // ---- The tree -----------------------------------------------------------------------------------------
 
 // The frame of a joint where the scene starts, in the world.  A body turns about z, slides along z or, of a slider, x, and
-// in a plane along x and y; that of a ball or weld is the world's.  Of a universal joint x is fixed in the parent, y in the
-// child: the other way round if the joint is `reversed`.
+// in a plane along x and y; that of a ball, gimbal or weld is the world's.  Of a universal joint x is fixed in the parent, y
+// in the child: the other way round if the joint is `reversed`.
 Transform frame_of(const core::Joint& joint, bool reversed) {
   const Vec3 place = to_simbody(joint.point);
   const core::JointKind& kind = core::kind_of(joint.type);
-  if (!kind.has_axis()) return Transform(place);
+  if (!kind.has_axis() || joint.type == JointType::gimbal) return Transform(place);
   const UnitVec3 axis(to_simbody(joint.axis));
   if (joint.type == JointType::slider) return {Rotation(axis, SimTK::XAxis), place};
   if (!joint.axis_2) return {Rotation(axis, SimTK::ZAxis), place};

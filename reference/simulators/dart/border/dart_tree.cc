@@ -9,6 +9,7 @@
 #include <dart/constraint/WeldJointConstraint.hpp>
 #include <dart/dynamics/BallJoint.hpp>
 #include <dart/dynamics/BoxShape.hpp>
+#include <dart/dynamics/EulerJoint.hpp>
 #include <dart/dynamics/FreeJoint.hpp>
 #include <dart/dynamics/PlanarJoint.hpp>
 #include <dart/dynamics/PrismaticJoint.hpp>
@@ -68,14 +69,46 @@ std::pair<Joint*, BodyNode*> make(const dynamics::SkeletonPtr& skeleton, BodyNod
   return skeleton->createJointAndBodyNodePair<Joint>(parent, named, body);
 }
 
-// Of a joint of one freedom.
-void hold(dynamics::Joint& joint, const Body& body) {
-  if (std::isfinite(body.lower) || std::isfinite(body.upper)) {
-    joint.setPositionLowerLimit(0, body.lower);
-    joint.setPositionUpperLimit(0, body.upper);
+// A coordinate of a joint, where it stands.
+void hold(dynamics::Joint& joint, std::size_t coordinate, const Held& held) {
+  const double start = joint.getPosition(coordinate);
+  if (std::isfinite(held.lower) || std::isfinite(held.upper)) {
+    joint.setPositionLowerLimit(coordinate, start + held.lower);
+    joint.setPositionUpperLimit(coordinate, start + held.upper);
     joint.setLimitEnforcement(true);
   }
-  joint.setCoulombFriction(0, body.friction);
+  joint.setCoulombFriction(coordinate, held.friction);
+}
+
+void hold(dynamics::Joint& joint, const Body& body) {
+  for (std::size_t i = 0; i < joint.getNumDofs(); ++i) hold(joint, i, body.held[i]);
+}
+
+// With axes h of the parent and u of the body, theta apart, and n along  h x u,
+//   R(h, first) R(n, third) R(u, second) = F Rx(first) Ry(third + b) Rz(-second) Ry(-b) F^T,  b = theta - pi/2,
+// of which F has the columns h, n and h x n.
+std::pair<dynamics::EulerJoint*, BodyNode*> make_gimbal(const dynamics::SkeletonPtr& skeleton,
+                                                        BodyNode* parent, const Isometry3d& parent_pose,
+                                                        const Isometry3d& pose, const Body& body,
+                                                        const BodyNode::Properties& node) {
+  const Vector3d h = to_dart(body.axis), u = to_dart(body.axis_2), n = h.cross(u).normalized();
+  const double b = std::atan2(h.cross(u).norm(), h.dot(u)) - dart::math::constantsd::half_pi();
+  Isometry3d frame = Isometry3d::Identity();
+  frame.linear() << h, n, h.cross(n);
+  auto gimbal = at_start<dynamics::EulerJoint>(parent_pose, pose, body.point);
+  gimbal.mAxisOrder = dynamics::EulerJoint::AxisOrder::XYZ;
+  gimbal.mT_ParentBodyToJoint = gimbal.mT_ParentBodyToJoint * frame;
+  gimbal.mT_ChildBodyToJoint = gimbal.mT_ChildBodyToJoint * frame * Eigen::AngleAxisd(b, Vector3d::UnitY());
+  const auto [joint, made] = make<dynamics::EulerJoint>(skeleton, parent, gimbal, node);
+  joint->setPositions(Vector3d(0, b, 0));
+  Eigen::Matrix3d axes;
+  axes << h, n, -u;
+  joint->setVelocities(axes.partialPivLu().solve(to_dart(body.turn_rate)));
+  const Held &first = body.held[0], &second = body.held[1], &third = body.held[2];
+  hold(*joint, 0, first);
+  hold(*joint, 1, third);
+  hold(*joint, 2, {-second.upper, -second.lower, second.friction});
+  return {joint, made};
 }
 
 // DART gives each of equal names another one, with a message.
@@ -127,6 +160,9 @@ void World::Parts::hang(const std::vector<Body>& bodies, std::size_t i) {
       nodes[i] = node;
       break;
     }
+    case Hang::by_gimbal:
+      nodes[i] = make_gimbal(skeleton, parent, parent_pose, pose, body, properties(body, i)).second;
+      break;
     case Hang::by_hinge: {
       auto hinge = at_start<dynamics::RevoluteJoint>(parent_pose, pose, body.point);
       hinge.mAxis = to_dart(body.axis);
@@ -152,6 +188,7 @@ void World::Parts::hang(const std::vector<Body>& bodies, std::size_t i) {
       screw.mPitch = 2 * dart::math::constantsd::pi() * body.pitch;  // of a whole turn
       const auto [joint, node] = make<dynamics::ScrewJoint>(skeleton, parent, screw, properties(body, i));
       joint->setVelocity(0, to_dart(body.axis).dot(to_dart(body.turn_rate)));
+      hold(*joint, body);
       nodes[i] = node;
       break;
     }
@@ -162,6 +199,7 @@ void World::Parts::hang(const std::vector<Body>& bodies, std::size_t i) {
           make<dynamics::UniversalJoint>(skeleton, parent, universal, properties(body, i));
       joint->setVelocity(0, to_dart(body.axis).dot(to_dart(body.turn_rate)));
       joint->setVelocity(1, to_dart(body.axis_2).dot(to_dart(body.turn_rate)));
+      hold(*joint, body);
       nodes[i] = node;
       break;
     }
@@ -172,6 +210,7 @@ void World::Parts::hang(const std::vector<Body>& bodies, std::size_t i) {
       const auto [joint, node] = make<dynamics::PlanarJoint>(skeleton, parent, planar, properties(body, i));
       joint->setVelocities(Vector3d(first.dot(to_dart(body.slide_rate)), second.dot(to_dart(body.slide_rate)),
                                     to_dart(body.axis).dot(to_dart(body.turn_rate))));
+      hold(*joint, body);
       nodes[i] = node;
       break;
     }

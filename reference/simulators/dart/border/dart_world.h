@@ -24,7 +24,13 @@ struct Motion {
   Vector velocity{}, spin{};  ///< World axes.
 };
 
-enum class Hang { freely, by_ball, by_hinge, by_slider, by_screw, by_universal, in_plane, fixed };
+enum class Hang { freely, by_ball, by_gimbal, by_hinge, by_slider, by_screw, by_universal, in_plane, fixed };
+
+/// What holds a coordinate of a joint, which is 0 at the start [m, rad].
+struct Held {
+  double lower = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
+  double friction = 0;  ///< Dry [N, N m].
+};
 
 struct Body {
   double mass = 1;
@@ -35,14 +41,14 @@ struct Body {
   Hang hang = Hang::freely;
   int parent = -1;  ///< A body that moves; -1: the world.
   Vector point{};   ///< Of the joint, world, at the start.
+  Vector axis{};  ///< Of a hinge, slider or screw, world, at the start; the normal of a plane; of a universal
+                  ///< joint and a gimbal the one that is fixed in the parent.
   Vector
-      axis{};  ///< Of a hinge, slider or screw, world, at the start; the normal of a plane; of a universal joint the
-               ///< one that is fixed in the parent.
-  Vector axis_2{};   ///< The other axis of a universal joint, or the first displacement in a plane.
+      axis_2{};  ///< The other axis of a universal joint or a gimbal, or the first displacement in a plane.
   double pitch = 0;  ///< Of a screw [m/rad].
-  /// Of a hinge or a slider, since the start: its stops [rad, m].
-  double lower = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
-  double friction = 0;  ///< Dry, of a hinge or a slider [N m, N].
+  /// In the order of turns and slides: of a universal joint about axis and axis_2; of a gimbal about these and then
+  /// axis x axis_2; in a plane along axis_2 and axis x axis_2, and then about axis.
+  std::array<Held, 3> held{};
   Vector turn_rate{};   ///< Against the parent, world axes, at the start.
   Vector slide_rate{};  ///< The same of the velocity of the body at the point.
 };

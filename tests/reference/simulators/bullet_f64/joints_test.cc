@@ -283,10 +283,10 @@ TEST(BulletJoint, TellsWhatBulletLacks) {
 }
 
 TEST(BulletJoint, TellsWhichStopsBulletLacks) {
-  const auto with_angle = [](Type type, int to, const core::JointCoordinate& c) {
+  const auto with_angle = [](Type type, int to, const core::JointCoordinate& c, bool ahead = true) {
     Joint joint = joint_of(type, 0, to);
     joint.angles = {{c}};
-    return refused(joint);
+    return refused(joint, ahead);
   };
   const auto with_displacement = [](Type type, int body, int to, const core::JointCoordinate& c,
                                     bool ahead = true) {
@@ -299,7 +299,9 @@ TEST(BulletJoint, TellsWhichStopsBulletLacks) {
   EXPECT_TRUE(with_angle(Type::hinge, core::world, {.lower = -1, .upper = 3.2}));
   EXPECT_FALSE(with_angle(Type::hinge, core::world, {.start = 0.1, .lower = -1, .upper = 3.2}));
   EXPECT_FALSE(with_angle(Type::hinge, 1, {.lower = -1, .upper = 1, .restitution = 0.5, .friction = 1}));
-  EXPECT_TRUE(with_angle(Type::cylindrical, 1, {.friction = 1}));
+  EXPECT_FALSE(with_angle(Type::cylindrical, 1, {.friction = 1}, false));
+  EXPECT_FALSE(with_angle(Type::cylindrical, 1, {.lower = -1, .upper = 1}));
+  EXPECT_TRUE(with_angle(Type::cylindrical, 1, {.lower = -1, .upper = 1}, false));
   EXPECT_FALSE(with_angle(Type::cylindrical, core::world, {.friction = 1}));
 
   EXPECT_FALSE(with_displacement(Type::slider, 0, core::world, {.lower = -1, .restitution = 0.5}));
