@@ -47,9 +47,10 @@ Command add_doctor(App&, const Context& context) {
         const core::Engine engine = process::describe(process::parse_engine(row.id, context.engines), {});
         const bool listed = expectations && expectations->version_listed(engine.name, engine.version);
         return fmt::format("{} {}, {}{}", engine.name, engine.version, engine.precision,
-                           row.optional() ? " (no verdicts are expected of optional engines)"
-                           : listed       ? ""
-                                    : " (expected.toml has no row for this version, so verdicts may differ)");
+                           listed ? ""
+                           : row.optional()
+                               ? " (expected.toml has no row of it: a pass is expected)"
+                               : " (expected.toml has no row for this version, so verdicts may differ)");
       });
     }
     std::cout

@@ -147,6 +147,8 @@ void Simbody::step() {
 void Simbody::advance_to(double time) {
   const int failures = integrator_->getNumConvergenceTestFailures();
   while (integrator_->getTime() < time) integrator_->stepTo(time);
+  // A state that is not finite throws when it is realized: here, where it is caught, and not where it is read.
+  world_->system().realize(integrator_->getState(), SimTK::Stage::Velocity);
   const bool fixed = !simbody_integrator(settings_.integrator).adaptive;
   if (!fixed || integrator_->getNumConvergenceTestFailures() == failures) return;
   if (failed_++ == 0) first_failed_ = steps_;
