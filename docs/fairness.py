@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the tables of docs/fairness.md: settings of Bullet and ODE, and what each changes over all scenarios.
+"""Writes the tables of docs/fairness.md: settings of Bullet and ODE, and what each changes over all scenarios but the measured ones.
 
     docs/fairness.py [--cylon build/release/cylon] [--kept FOLDER] [--check]
 
