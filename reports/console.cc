@@ -47,11 +47,11 @@ std::string complaints(const Verdict& v, const ConsoleOptions& options) {
   return out;
 }
 
-// "name = value, …"
+// "name = value; …"
 std::string list(const std::vector<std::pair<std::string, std::string>>& settings) {
   std::string out;
   for (const auto& [name, value] : settings)
-    out += fmt::format("{}{} = {}", out.empty() ? "" : ", ", name, value);
+    out += fmt::format("{}{} = {}", out.empty() ? "" : "; ", name, value);
   return out;
 }
 

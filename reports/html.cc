@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <set>
 #include <utility>
 
 namespace cylon::reports {
@@ -24,6 +25,21 @@ Json shown(const std::optional<RunReport>& report) { return report ? document(*r
 std::string block(std::size_t number, std::string_view packed) {
   return fmt::format("<script type=\"application/gzip;base64\" id=\"block-{}\">{}</script>\n", number,
                      packed);
+}
+
+// Lines of a legend, whose entries are apart by "; ".
+std::string in_one_line(std::string_view lines) {
+  std::string out;
+  for (const char c : lines.substr(0, lines.find_last_not_of('\n') + 1))
+    out += c == '\n' ? "; " : std::string(1, c);
+  return out;
+}
+
+// A scenario has a row of the matrix for each of its steps.
+std::size_t scenarios_of(const std::vector<results::Verdict>& verdicts) {
+  std::set<std::string_view> names;
+  for (const results::Verdict& v : verdicts) names.insert(v.scenario);
+  return names.size();
 }
 
 // For a reader without script; the script puts its own in this place.
@@ -39,7 +55,24 @@ std::string plain_matrix(const std::vector<results::Verdict>& verdicts, const Ma
     for (const Cell& cell : matrix.cells[i]) out += fmt::format("<td>{}</td>", xml(cell_text(cell, style)));
     out += "</tr>\n";
   }
-  return out + fmt::format("</tbody></table>\n<p>{}</p>\n", xml(legend(matrix, style)));
+  return out + fmt::format("</tbody></table>\n<p>{}</p>\n", xml(in_one_line(legend(matrix, style))));
+}
+
+// What has no table for a reader without script.
+std::string needs_script(const std::map<std::string, Documents>& documents) {
+  constexpr std::pair<const char*, const char*> parts[] = {{"trades", "the plots of speed against accuracy"},
+                                                           {"comparisons", "the comparison of builds"},
+                                                           {"histories", "the history of runs"},
+                                                           {"hunts", "the faults that a hunt found"},
+                                                           {"predictions", "the curves of measured motions"}};
+  std::string out;
+  for (const auto& [key, words] : parts)
+    if (documents.contains(key)) out += fmt::format("{}{}", out.empty() ? "" : "; ", words);
+  return out.empty() ? ""
+                     : fmt::format(
+                           "<noscript><p>This file also holds what needs scripts to be shown, and this "
+                           "browser runs none: {}.</p></noscript>\n",
+                           out);
 }
 
 }  // namespace
@@ -51,7 +84,7 @@ std::string to_html(HtmlReport report) {
   const std::string heading =
       !report.title.empty() ? report.title
       : verdicts.empty()    ? "Cylon report"
-                            : fmt::format("Cylon: {} on {}", counted(matrix.scenarios.size(), "scenario"),
+                            : fmt::format("Cylon: {} on {}", counted(scenarios_of(verdicts), "scenario"),
                                           counted(matrix.engines.size(), "engine"));
   Json entries = Json::array();
   std::string blocks;
@@ -79,7 +112,8 @@ std::string to_html(HtmlReport report) {
                 {"baseline", nullptr}};
   for (const Section& section : sections) index[section.key] = Json::array();
   // Moved in, because they may take much memory, and last, because an object that grows copies its values.
-  const std::string steps = steps_tables(report.documents), tables = measured_tables(report.documents);
+  const std::string steps = steps_tables(report.documents), tables = measured_tables(report.documents),
+                    rest = needs_script(report.documents);
   index["results"] = shown(report.results);
   index["scenarios"] = std::move(report.scenarios);
   index["baseline"] = shown(report.baseline);
@@ -100,7 +134,7 @@ std::string to_html(HtmlReport report) {
   page += fmt::format("</style>\n</head>\n<body>\n<div id=\"app\">\n<h1>{}</h1>\n", title);
   page += steps;
   if (!verdicts.empty()) page += plain_matrix(verdicts, matrix);
-  page += tables + "</div>\n" + block(0, packed) + blocks + "<script>";
+  page += tables + rest + "</div>\n" + block(0, packed) + blocks + "<script>";
   page += web::script();
   page += "</script>\n</body>\n</html>\n";
   return page;

@@ -3,6 +3,8 @@
 #include "harness/core/input_error.h"
 #include "harness/input/json.h"
 
+#include "reports/sentence.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -185,6 +187,7 @@ Verdict from_row(const Json& json, const std::string& place) {
   v.unit = row.string("unit");
   v.truth_error = row.real("truth_error");
   v.status = row.status("status");
+  if (row.at("allowed").is_null() && !has_allowed(v)) v.allowed = 0;  // as where nothing was measured
   v.expected = row.status("expected");
   if (!row.at("expected_size").is_null()) v.expected_size = row.real("expected_size");
   v.expected_within = row.real("expected_within");
@@ -250,6 +253,13 @@ Json diagnostic_json(const told::Diagnostic& d) {
           {"text", d.text}};
 }
 
+namespace {
+
+// Zero would say that no error at all is allowed.
+bool says_nothing(const Verdict& v) { return v.allowed == 0 && !has_allowed(v); }
+
+}  // namespace
+
 Json row(const Verdict& v) {
   Json diagnostics = Json::array();
   for (const told::Diagnostic& d : v.diagnostics) diagnostics.push_back(diagnostic_json(d));
@@ -278,7 +288,7 @@ Json row(const Verdict& v) {
           {"interval",
            v.interval ? Json::array({number(v.interval->low), number(v.interval->high)}) : Json(nullptr)},
           {"first_bad_step", v.first_bad_step ? Json(*v.first_bad_step) : Json(nullptr)},
-          {"allowed", number(v.allowed)},
+          {"allowed", says_nothing(v) ? Json(nullptr) : number(v.allowed)},
           {"tolerance_scale", number(v.tolerance_scale)},
           {"spread", v.spread ? number(*v.spread) : Json(nullptr)},
           {"unit", v.unit},

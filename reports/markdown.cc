@@ -99,9 +99,9 @@ std::string to_markdown(const ComparisonReport& report) {
     out += fmt::format("> ⚠️ {}\n\n", markdown(text));
   if (!first.empty()) out += table(first) + "\n";
   if (!rest.empty())
-    out += fmt::format(
-        "<details><summary>{} cells are the same or were not compared</summary>\n\n{}\n</details>\n\n",
-        rest.size(), table(rest));
+    out +=
+        fmt::format("<details><summary>{} the same or not compared</summary>\n\n{}\n</details>\n\n",
+                    rest.size() == 1 ? "1 cell is" : fmt::format("{} cells are", rest.size()), table(rest));
   out += fmt::format("<sub>Slower means by more than {:g} %, confirmed at {:g}{}.", 100 * report.tau,
                      report.alpha, report.gate ? " over all cells (Holm)" : "");
   if (report.self_check)

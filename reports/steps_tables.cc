@@ -5,8 +5,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <set>
 
 namespace cylon::reports {
 namespace {
@@ -36,12 +38,20 @@ std::string step(const Json& series, const Json& reach) {
                                 substeps.is_number_integer() ? substeps.get<int>() : 1);
 }
 
-std::string row(const Json& table, const Json& cell) {
+// Cells of a row beside its engine: errors, then the reason of the first that is not reached.
+std::size_t width(const Json& table) {
+  std::size_t most = 0;
+  for (const Json& cell : part(table, "cells"))
+    if (const Json& reach = part(cell, "reach"); reach.is_array()) most = std::max(most, reach.size());
+  return std::min(most, most_errors) + 1;
+}
+
+std::string row(const Json& table, const Json& cell, std::size_t width) {
   const Json& series = entry(part(table, "series"), part(cell, "series"));
   std::string out = fmt::format("<tr><th scope=\"row\">{}</th>", text(series, "engine"));
   const Json& refusal = part(cell, "refusal");
   if (refusal.is_string() && !refusal.get_ref<const std::string&>().empty())
-    return out + fmt::format("<td>refused: {}</td></tr>\n", text(cell, "refusal"));
+    return out + fmt::format("<td colspan=\"{}\">refused: {}</td></tr>\n", width, text(cell, "refusal"));
   std::size_t errors = 0;
   std::string why;  // of the first that is not reached
   for (const Json& reach : part(cell, "reach")) {
@@ -55,20 +65,61 @@ std::string row(const Json& table, const Json& cell) {
   return out + fmt::format("<td>{}</td></tr>\n", why);
 }
 
+bool has_rows(const Json& table) { return part(table, "cells").is_array() && !part(table, "cells").empty(); }
+
+// "cylon matrix", "cylon trade"; "" where the command line does not say.
+std::string command(const Json& document) {
+  const Json& line = part(part(document, "provenance"), "command_line");
+  if (!line.is_string()) return "";
+  const std::string words = line.get<std::string>() + ' ';
+  for (const char* name : {"matrix", "trade"})
+    if (words.find(fmt::format(" {} ", name)) != std::string::npos) return fmt::format("cylon {}", name);
+  return "";
+}
+
+// What tells sweeps of one scenario apart, as on the page with script: " of cylon trade", with the number of the
+// file where the commands are the same; "" for the only sweep.
+class Sources {
+ public:
+  explicit Sources(const std::vector<Json>& documents) {
+    for (const Json& document : documents) {
+      for (const Json& table : part(document, "tables"))
+        if (has_rows(table)) files_[text(table, "scenario")].insert(commands_.size());
+      commands_.push_back(command(document));
+    }
+  }
+
+  std::string of(std::size_t file, const std::string& scenario) const {
+    const std::set<std::size_t>& files = files_.at(scenario);
+    if (files.size() == 1) return "";
+    const std::string& made_by = commands_[file];
+    const auto same = std::ranges::count_if(files, [&](std::size_t f) { return commands_[f] == made_by; });
+    if (!made_by.empty() && same == 1) return " of " + made_by;
+    return fmt::format(" of {} ({})", made_by.empty() ? "file" : made_by, file + 1);
+  }
+
+ private:
+  std::vector<std::string> commands_;
+  std::map<std::string, std::set<std::size_t>> files_;  // by scenario
+};
+
 }  // namespace
 
 std::string steps_tables(const std::map<std::string, std::vector<Json>>& documents) {
   const auto given = documents.find("trades");
   if (given == documents.end()) return "";
+  const Sources sources(given->second);
   std::string out;
   std::size_t rows = 0;
-  for (const Json& document : given->second)
-    for (const Json& table : part(document, "tables")) {
-      if (!part(table, "cells").is_array() || part(table, "cells").empty()) continue;
+  for (std::size_t file = 0; file < given->second.size(); ++file)
+    for (const Json& table : part(given->second[file], "tables")) {
+      if (!has_rows(table)) continue;
       if (rows >= most_rows) break;
-      out += fmt::format("<table><caption>{}</caption>\n<tbody>\n", text(table, "scenario"));
+      const std::string scenario = text(table, "scenario");
+      out += fmt::format("<table><caption>{}{}</caption>\n<tbody>\n", scenario, sources.of(file, scenario));
+      const std::size_t wide = width(table);
       for (const Json& cell : table["cells"])
-        if (++rows <= most_rows) out += row(table, cell);
+        if (++rows <= most_rows) out += row(table, cell, wide);
       out += "</tbody></table>\n";
     }
   if (out.empty()) return "";

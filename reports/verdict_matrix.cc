@@ -29,7 +29,8 @@ struct Meaning {
 constexpr std::array meanings = {
     Meaning{Status::pass, "within tolerance"},
     Meaning{Status::unsupported, "the engine refuses the scene"},
-    Meaning{Status::undecided, "its uncertainty holds the tolerance"},
+    Meaning{Status::undecided,
+            "undecided: the tolerance lies within the uncertainty, or theory bounds nothing"},
     Meaning{Status::low_quality, "within ten times the tolerance"},
     Meaning{Status::fail, "more than ten times the tolerance"},
     Meaning{Status::non_finite, "NaN or infinite"},
@@ -241,7 +242,8 @@ std::string legend(const Matrix& matrix, const ConsoleOptions& options) {
     used = display_width(entry) + (fits ? used + 2 : 0);
   };
   for (const auto& [status, words] : meanings)
-    if (present.count(status)) add(glyph(status, options), words);
+    if (const std::string sign(glyph(status, options)); present.count(status))
+      add(sign + (sign.find(' ') == std::string::npos ? "" : ":"), words);
   if (avoidable) add("avoidable:", "refused, though another engine passes");
   if (measured)
     add("+1.0:", "log10(allowed / measured) of the worst claim: + is better than allowed, - is worse");

@@ -79,6 +79,10 @@ TEST(Html, MatrixIsReadableWithoutScript) {
   report.results = RunReport{{}, {row("top", "in-house"), bad}};
   const std::string page = to_html(report);
   EXPECT_NE(page.find("<th scope=\"row\">top</th><td>✓ +1.0</td><td>✗ -1.0 !</td>"), std::string::npos);
+  // One scenario at two steps is one.
+  bad.dt = 0.02, bad.dt_text = "0.02";
+  report.results->verdicts.push_back(bad);
+  EXPECT_NE(to_html(report).find("<title>Cylon: 1 scenario on 2 engines</title>"), std::string::npos);
 }
 
 json two_engines() {
@@ -152,9 +156,9 @@ TEST(Html, ScoresOfMeasuredMotionsAreReadableWithoutScript) {
         {{{"engine", "bullet"},
           {"parameters", {{{"name", "friction"}, {"value", 0.2}, {"low", 0.1}, {"high", 0.3}}}}}}}}};
   const std::string page = to_html(report);
-  EXPECT_NE(page.find("<th scope=\"row\">ode</th><td>24 [12, 48]</td>"), std::string::npos);
+  EXPECT_NE(page.find("<th scope=\"row\">ode</th><td>24.0 [12.0, 48.0]</td>"), std::string::npos);
   EXPECT_NE(page.find("<td>undecided</td>"), std::string::npos);
-  EXPECT_NE(page.find("<td>0.5 [0.25, the end]</td>"), std::string::npos);
+  EXPECT_NE(page.find("<td>0.500 [0.250, the end]</td>"), std::string::npos);
   EXPECT_NE(page.find("<td>friction</td><td>0.2 [0.1, 0.3]</td>"), std::string::npos);
   EXPECT_EQ(page.find("alert(1)</script>"), std::string::npos);
   // What is of another form than the commands write breaks no page.
@@ -164,6 +168,77 @@ TEST(Html, ScoresOfMeasuredMotionsAreReadableWithoutScript) {
     odd.documents["fits"] = {{{"format", "cylon-fit/1"}, {"fits", part}}};
     EXPECT_NE(to_html(odd).find("<h2>"), std::string::npos) << part;
   }
+}
+
+// Of fewer than six runs a median has no interval, which was printed as one that goes to the end of the data.
+TEST(Html, ScoresWithoutScriptSayNoMoreThanTheDocument) {
+  const auto estimate = [](json value, int runs) {
+    return json{{"value", std::move(value)}, {"low", nullptr}, {"high", nullptr}, {"runs", runs}};
+  };
+  HtmlReport report;
+  report.documents["predictions"] = {
+      {{"format", "cylon-prediction/1"},
+       {"coordinates", "chain"},
+       {"members", 0},
+       {"engines",
+        {{{"engine", "ode"},
+          {"runs", 3},
+          {"failed", 0},
+          {"held", estimate(0.57, 3)},
+          {"expected", estimate(nullptr, 3)},
+          {"exponent", estimate(nullptr, 0)},
+          {"band", "undecided"}},
+         {{"engine", "bullet"}, {"runs", 3}, {"failed", 3}, {"first_failure", hostile}}}}}};
+  report.documents["fits"] = {
+      {{"format", "cylon-fit/1"}, {"fits", {{{"engine", "ode"}, {"failure", "it lost its worker"}}}}}};
+  const std::string page = to_html(report);
+  EXPECT_NE(page.find("<th scope=\"row\">ode</th><td>0.570</td><td>the end</td><td>not known</td></tr>"),
+            std::string::npos);
+  EXPECT_NE(page.find("<th scope=\"row\">bullet</th><td colspan=\"3\">no prediction: &lt;/script"),
+            std::string::npos);
+  EXPECT_NE(page.find("<th scope=\"row\">ode</th><td colspan=\"3\">no fit: it lost its worker</td>"),
+            std::string::npos);
+  EXPECT_EQ(page.find("inside the band"), page.find("inside the band", page.find("<script>")));
+}
+
+// What no table shows was not mentioned.
+TEST(Html, SaysWhatNeedsScripts) {
+  HtmlReport report;
+  report.documents["histories"] = {{{"schema", 1}, {"series", json::array()}}};
+  EXPECT_NE(to_html(report).find("<noscript><p>This file also holds what needs scripts to be shown, and this "
+                                 "browser runs none: the history of runs.</p></noscript>"),
+            std::string::npos);
+  EXPECT_EQ(to_html({}).find("<noscript>"), std::string::npos);
+}
+
+TEST(Html, LegendWithoutScriptKeepsItsEntriesApart) {
+  HtmlReport report;
+  results::Verdict bad = row("top", "ode");
+  bad.measured = 100, bad.status = results::Status::fail;
+  report.results = RunReport{{}, {row("top", "in-house"), bad}};
+  const std::string page = to_html(report);
+  const std::size_t end = page.find("differs from expected.toml</p>");
+  ASSERT_NE(end, std::string::npos);
+  const std::size_t begin = page.rfind("<p>", end);
+  EXPECT_EQ(page.substr(begin, end - begin).find('\n'), std::string::npos) << page.substr(begin, end - begin);
+  EXPECT_NE(page.find("- is worse; ! differs", begin), std::string::npos) << page.substr(begin, end - begin);
+}
+
+TEST(Html, SweepsOfOneScenarioSayWhatMadeThem) {
+  HtmlReport report;
+  for (const char* words : {"cylon matrix top", "cylon trade top"}) {
+    report.documents["trades"].push_back(two_engines());
+    report.documents["trades"].back()["provenance"]["command_line"] = words;
+  }
+  report.documents["trades"][0]["tables"][0]["cells"][0]["refusal"] = "no joints";
+  const std::string page = to_html(report);
+  EXPECT_NE(page.find("<caption>top of cylon matrix</caption>"), std::string::npos);
+  EXPECT_NE(page.find("<caption>top of cylon trade</caption>"), std::string::npos);
+  EXPECT_NE(page.find("<td colspan=\"3\">refused: no joints</td></tr>"), std::string::npos);
+  report.documents["trades"][1]["provenance"]["command_line"] = "cylon matrix top";
+  EXPECT_NE(to_html(report).find("<caption>top of cylon matrix (2)</caption>"), std::string::npos);
+  report.documents["trades"].pop_back();
+  EXPECT_NE(to_html(report).find("<caption>top</caption>"), std::string::npos);
 }
 
 TEST(Html, CountsTracesBeyondSizeLimit) {

@@ -106,6 +106,19 @@ TEST(Json, RoundTripsRandomVerdictsBitByBit) {
   }
 }
 
+// Zero would say that no error at all was allowed.
+TEST(Json, AllowedIsNullWhereNothingWasMeasured) {
+  Verdict v;
+  for (const Status status : {Status::unsupported, Status::crash, Status::timeout, Status::protocol}) {
+    v.status = status, v.allowed = 0;
+    const std::string line = to_json_line(v);
+    EXPECT_NE(line.find("\"allowed\":null"), std::string::npos) << line;
+    EXPECT_EQ(from_json_line(line, "journal").allowed, 0);
+  }
+  v.status = Status::fail;
+  EXPECT_NE(to_json_line(v).find("\"allowed\":0.0"), std::string::npos);
+}
+
 TEST(Json, RoundTripsVerdictsAndProvenance) {
   std::mt19937 random(7);
   const std::vector<Verdict> verdicts = {random_verdict(random), random_verdict(random),

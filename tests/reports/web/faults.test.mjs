@@ -32,6 +32,17 @@ test('each card has its fault, its errors and its least scene', async () => {
   assert.deepEqual(page.faults, []);
 });
 
+test('a hunt without a fault says what was asked, and opens the report', async () => {
+  run(folder, ['hunt', '--engine', 'in-house', '--count', '2', '--json', 'none.json']);
+  run(folder, ['report', 'none.json', '--html', 'none.html']);
+  const page = await open(`file://${join(folder, 'none.html')}`);
+  const said = page.locator('section[aria-labelledby="faults-heading"]');
+  await said.waitFor();
+  assert.match(await said.innerText(), /in-house: 2 scenes, 0 refused, no fault/);
+  await page.getByRole('link', { name: 'Provenance' }).click();
+  assert.match(await page.locator('main').innerText(), /Hunt, file 1\s+asked\s+in-house in 2 scenes/);
+});
+
 for (const scheme of ['light', 'dark'])
   test(`axe-core finds no serious fault, ${scheme}`, async () => {
     const page = await open(url, { scheme });

@@ -279,6 +279,30 @@ test('on a narrow screen badges and numbers with their units stay whole, and nam
   assert.deepEqual(await broken(page, '.differs, .unbroken'), []);
 });
 
+test('a refused cell has no allowance, no violation and no integrator', async () => {
+  run(folder, ['run', 'bouncing_sphere', '--engine', 'mujoco', '--html', 'refused.html']);
+  const page = await open(url('refused.html'));
+  await page.locator('table.matrix .cell').first().click();
+  const row = page.locator('section[aria-labelledby="claims-heading"] tbody tr').first();
+  await row.waitFor();
+  const [, , measured, allowed, digits, violation] = await row.locator('td').allInnerTexts();
+  assert.deepEqual([measured, allowed, digits, violation], ['', '', '', '']);
+  assert.equal(await page.locator('#cell-heading').innerText(), 'bouncing_sphere / mujoco dt 0.001');
+  assert.deepEqual(page.faults, []);
+});
+
+test('an address of no part, with a filter, opens the verdicts', async () => {
+  const page = await open(url('r.html', '#section=nonsense&q=ode:pass'));
+  await page.locator('table.matrix').waitFor();
+  assert.equal(await page.locator('nav [aria-current]').innerText(), `Verdicts (${verdicts.length})`);
+});
+
+test('a report without a hunt says so', async () => {
+  const page = await open(url('r.html', '#section=faults'));
+  assert.match(await page.locator('section[aria-labelledby="faults-heading"]').innerText(), /This report holds no hunt\./);
+  assert.equal(await page.locator('nav [aria-current]').innerText(), 'Faults');
+});
+
 test('the run of a cell counts one body as one, and prints its step once', async () => {
   const page = await open(url('r.html'));
   await openCell(page, 'dzhanibekov', 'ode');
@@ -296,6 +320,8 @@ test('sentences about costs are apart', async () => {
 
 test('on a narrow screen nothing but tables scrolls sideways', async () => {
   const page = await open(url('r.html'), { width: 400, height: 800 });
+  await page.locator('table.matrix').waitFor();
+  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth + 1), 'matrix');
   await openCell(page, 'heavy_top', 'bullet');
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth + 1));
 });

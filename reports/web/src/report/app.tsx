@@ -55,8 +55,8 @@ export function App({ index, matrix }: { index: Index; matrix: Matrix }) {
   const views = useMemo(() => new Map(index.scenarios.map((view) => [view.name, view])), [index]);
   const filled = firstFilled(index);
   // A filter is one of verdicts.
-  const wanted = address.section ?? (address.q === undefined && filled ? filled.id : 'matrix');
-  const section = sections.find(({ id }) => id === wanted) ?? filled ?? sections[0]!;
+  const unnamed = address.q === undefined && filled ? filled.id : 'matrix'; // of an address that names no part
+  const section = [address.section, unnamed].flatMap((wanted) => sections.find(({ id }) => id === wanted) ?? [])[0]!;
   const name = cellOf(address);
   const View = section.view;
   const cell = useMemo(

@@ -19,12 +19,13 @@ export const kinds: Record<Kind, string> = {
   scenario: 'the scenario itself changed, not compared',
 };
 
-/** Claims of one run may have the same words; then they are told apart by their order. */
+/** Claims of one run may have the same words; then they are told apart by their order.  A step is the same however it
+ * is written. */
 function keyed(verdicts: Verdict[]): Map<string, Verdict> {
   const seen = new Map<string, number>();
   const out = new Map<string, Verdict>();
   for (const v of verdicts) {
-    const name = [v.scenario, v.engine, v.integrator, v.dt_text, v.claim].join('\u0000');
+    const name = [v.scenario, v.engine, v.integrator, v.dt ?? v.dt_text, v.claim].join('\u0000');
     const nth = seen.get(name) ?? 0;
     seen.set(name, nth + 1);
     out.set(`${name}\u0000${nth}`, v);

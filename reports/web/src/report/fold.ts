@@ -139,10 +139,26 @@ export function fold(verdicts: Verdict[]): Matrix {
   return { columns, rows };
 }
 
-/** Rows that a column runs at all, of those that it was asked for. */
+/** Scenarios of several steps, of which a name without its step would be that of several rows. */
+export function severalSteps(verdicts: Verdict[]): Set<string> {
+  const steps = new Map<string, number | string>();
+  const out = new Set<string>();
+  for (const v of verdicts) {
+    const step = v.dt ?? v.dt_text;
+    if ((steps.get(v.scenario) ?? step) !== step) out.add(v.scenario);
+    steps.set(v.scenario, step);
+  }
+  return out;
+}
+
+/** Scenarios that a column runs, at every step that it was asked for, of those that it was asked for. */
 export function supported(matrix: Matrix, column: number): { run: number; asked: number } {
-  const cells = matrix.rows.flatMap((row) => row.cells[column] ?? []);
-  return { run: cells.filter((cell) => cell.worst !== 'unsupported').length, asked: cells.length };
+  const runs = new Map<string, boolean>();
+  for (const { scenario, cells } of matrix.rows) {
+    const cell = cells[column];
+    if (cell) runs.set(scenario, (runs.get(scenario) ?? true) && cell.worst !== 'unsupported');
+  }
+  return { run: [...runs.values()].filter(Boolean).length, asked: runs.size };
 }
 
 export function find(matrix: Matrix, name: CellName): Cell | null {

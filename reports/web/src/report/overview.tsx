@@ -4,14 +4,14 @@ import { useMemo } from 'preact/hooks';
 import type { Index, Provenance } from '../shared/documents';
 import { cellAddress, link } from './address';
 import { type Change, changes, kinds } from './changes';
-import { type Matrix, supported } from './fold';
+import { type Matrix, severalSteps, supported } from './fold';
 import { count, digitsText, withUnit } from './numbers';
 import { worstFirst } from './status';
 import { StatusMark } from './status_mark';
 import { Name } from './text';
 import { type Summary, summary, warnings } from './summary';
 import { useFew } from './use_few';
-import { CellName, VerdictTable } from './verdict_table';
+import { CellName, cellText, VerdictTable } from './verdict_table';
 import { visible } from './visible';
 
 function Line({ of }: { of: Summary }) {
@@ -30,15 +30,15 @@ function movedText({ kind, verdict, before, weight }: Change): string {
   return `${withUnit(before.measured, before.unit)} to ${withUnit(verdict.measured, verdict.unit)}, ${how}`;
 }
 
-function ChangeRow({ change }: { change: Change }) {
+function ChangeRow({ change, step }: { change: Change; step: boolean }) {
   const { kind, verdict, before } = change;
   return (
     <tr>
       <th scope="row">
         {kind === 'gone' ? (
-          <Name text={`${verdict.scenario} / ${verdict.engine}`} />
+          <Name text={cellText(verdict, step)} />
         ) : (
-          <CellName verdict={verdict} />
+          <CellName verdict={verdict} step={step} />
         )}
       </th>
       <td>{visible(verdict.claim)}</td>
@@ -58,9 +58,10 @@ interface ChangesProps {
   list: Change[];
   baseline: Provenance;
   scale: number; // of this run's tolerances
+  stepped: Set<string>; // scenarios whose rows name their step
 }
 
-function Changes({ list, baseline, scale }: ChangesProps) {
+function Changes({ list, baseline, scale, stepped }: ChangesProps) {
   const { list: shown, button } = useFew(list);
   const tally = Object.entries(kinds)
     .map(([kind, words]) => [list.filter((c) => c.kind === kind).length, words] as const)
@@ -92,7 +93,7 @@ function Changes({ list, baseline, scale }: ChangesProps) {
             </thead>
             <tbody>
               {shown.map((change, i) => (
-                <ChangeRow key={i} change={change} />
+                <ChangeRow key={i} change={change} step={stepped.has(change.verdict.scenario)} />
               ))}
             </tbody>
           </table>
@@ -103,17 +104,20 @@ function Changes({ list, baseline, scale }: ChangesProps) {
   );
 }
 
-/** How many rows each engine runs, and refusals that another engine shows to be avoidable. */
+/** How many scenes each engine runs, and refusals that another engine shows to be avoidable. */
 function Supported({ matrix }: { matrix: Matrix }) {
   const counts = matrix.columns.map(({ label }, j) => ({ label, ...supported(matrix, j) }));
-  const all = counts.every(({ run }) => run === matrix.rows.length);
-  const avoidable = matrix.rows.flatMap((row) => row.cells.filter((cell) => cell && cell.passedBy.length > 0));
+  const scenes = new Set(matrix.rows.map(({ scenario }) => scenario)).size;
+  const all = counts.every(({ run }) => run === scenes);
+  const avoidable = matrix.rows.flatMap(({ label, cells }) =>
+    cells.flatMap((cell) => (cell && cell.passedBy.length > 0 ? [{ label, cell }] : [])),
+  );
   return (
     <>
       <p class="supported">
         Scenes supported:{' '}
         {all
-          ? `all ${matrix.rows.length} by ${counts.length === 1 ? 'the engine' : `each of ${counts.length} engines`}`
+          ? `all ${scenes} by ${counts.length === 1 ? 'the engine' : `each of ${counts.length} engines`}`
           : counts.map(({ label, run, asked }) => `${visible(label)} ${run} of ${asked}`).join(', ')}
         .
       </p>
@@ -123,12 +127,12 @@ function Supported({ matrix }: { matrix: Matrix }) {
             <strong>{count(avoidable.length, 'refusal')}</strong> that another engine shows to be avoidable
           </summary>
           <ul>
-            {avoidable.map((cell, i) => (
+            {avoidable.map(({ label, cell }, i) => (
               <li key={i}>
-                <a href={link(cellAddress(cell!))}>
-                  {visible(cell!.engine)}: {visible(cell!.scenario)}
+                <a href={link(cellAddress(cell))}>
+                  {visible(cell.engine)}: {visible(label)}
                 </a>
-                , which {visible(cell!.passedBy.join(', '))} {cell!.passedBy.length === 1 ? 'passes' : 'pass'}
+                , which {visible(cell.passedBy.join(', '))} {cell.passedBy.length === 1 ? 'passes' : 'pass'}
               </li>
             ))}
           </ul>
@@ -169,12 +173,16 @@ export function Overview({ index }: { index: Index }) {
     () => (index.baseline ? changes(index.results.verdicts, index.baseline.verdicts) : []),
     [index],
   );
+  const stepped = useMemo(
+    () => severalSteps([...index.results.verdicts, ...(index.baseline?.verdicts ?? [])]),
+    [index],
+  );
   return (
     <>
       {differ.length > 0 ? (
         <section aria-labelledby="differ-heading">
           <h2 id="differ-heading">Not as expected.toml says</h2>
-          <VerdictTable verdicts={differ} caption={`${count(differ.length, 'verdict')}, worst first`} />
+          <VerdictTable verdicts={differ} stepped={stepped} />
         </section>
       ) : null}
       {index.baseline ? (
@@ -182,6 +190,7 @@ export function Overview({ index }: { index: Index }) {
           list={list}
           baseline={index.baseline.provenance}
           scale={index.results.provenance.tolerance_scale}
+          stepped={stepped}
         />
       ) : null}
     </>

@@ -1,8 +1,9 @@
 // What was run, where and by which builds.
 import { useMemo } from 'preact/hooks';
 
-import type { Index, Provenance, Verdict } from '../shared/documents';
-import { count } from './numbers';
+import type { Comparisons, History, Hunt, Index, Provenance, Verdict } from '../shared/documents';
+import type { FitDocument, Prediction } from '../shared/measured_documents';
+import { count, short } from './numbers';
 import { warnings } from './summary';
 import { Foreign } from './text';
 import { visible } from './visible';
@@ -19,24 +20,94 @@ const words: [keyof Provenance, string][] = [
   ['tolerance_scale', 'tolerances times'],
 ];
 
-function Facts({ of, title }: { of: Provenance; title: string }) {
+type Fact = [name: string, text: string];
+
+function Facts({ of, title }: { of: Fact[]; title: string }) {
   return (
     <>
       <h3>{title}</h3>
       <dl class="facts">
-        {words
-          .filter(([key]) => of[key] !== undefined && of[key] !== '')
-          .map(([key, label]) => (
-            <div key={key}>
-              <dt>{label}</dt>
+        {of.map(([name, text]) =>
+          text ? (
+            <div key={name}>
+              <dt>{name}</dt>
               <dd>
-                <Foreign text={String(of[key])} />
+                <Foreign text={text} />
               </dd>
             </div>
-          ))}
+          ) : null,
+        )}
       </dl>
     </>
   );
+}
+
+function ofRun(of: Provenance | undefined): Fact[] {
+  return words.map(([key, label]) => [label, String(of?.[key] ?? '')]);
+}
+
+// The documents of other commands say less of their making.
+
+function ofHistory({ series }: History): Fact[] {
+  const points = series.flatMap((s) => s.points).sort((a, b) => a.run - b.run);
+  const [first, last] = [points[0], points[points.length - 1]];
+  const named = (p: typeof first) => (p ? `${p.run}, revision ${p.revision}, ${p.date}` : '');
+  const engines = series.flatMap((s) => (s.versions ?? []).map((version) => `${s.engine} ${version}`));
+  return [
+    ['series', String(series.length)],
+    ['first run', named(first)],
+    ['last run', named(last)],
+    ['engines', [...new Set(engines)].join(', ')],
+  ];
+}
+
+function ofComparison(of: Comparisons): Fact[] {
+  return [
+    ['baseline', of.baseline],
+    ['candidate', of.candidate],
+    ['cells', String(of.cells.length)],
+    ['environment', of.reliable ? '' : 'unreliable: a build was found different from itself'],
+  ];
+}
+
+function ofHunt(of: Hunt): Fact[] {
+  const asked = (of.asked ?? []).map(({ engine, scenes }) => `${engine} in ${count(scenes, 'scene')}`);
+  const versions = new Set(of.cards.map(({ engine, version }) => `${engine} ${version}`));
+  return [
+    ['asked', asked.join(', ')],
+    ['with a fault', [...versions].join(', ')],
+  ];
+}
+
+function ofMeasured(of: Prediction | FitDocument): Fact[] {
+  const own: Fact[] =
+    of.format === 'cylon-prediction/1'
+      ? [
+          ['hash of the model', of.model ?? ''],
+          ['step [s]', short(of.step)],
+          ['engines', of.engines.map(({ engine }) => engine).join(', ')],
+        ]
+      : [['engines', of.fits.map(({ engine }) => engine).join(', ')]];
+  return [
+    ['data', of.title],
+    ['source', of.source],
+    ['licence', of.licence],
+    ['hash of the data', of.experiment],
+    ...own,
+  ];
+}
+
+/** Every document that is no run, with its part of the report. */
+function documents(index: Index): { title: string; of: Fact[] }[] {
+  const files = (title: string, list: Fact[][]) => list.map((of, i) => ({ title: `${title}, file ${i + 1}`, of }));
+  return [
+    ...files('Speed against accuracy', index.trades.map(({ provenance }) => ofRun(provenance))),
+    ...files('Comparison of builds', index.comparisons.map(ofComparison)),
+    ...files('History', index.histories.map(ofHistory)),
+    ...files('Hunt', index.hunts.map(ofHunt)),
+    ...files('Prediction', index.predictions.map(ofMeasured)),
+    ...files('Fit', index.fits.map(ofMeasured)),
+  ];
 }
 
 interface EngineRow {
@@ -129,13 +200,17 @@ export function ProvenanceSection({ index }: { index: Index }) {
       <h2 id="provenance-heading">Provenance</h2>
       <p>{cautions.length > 0 ? cautions.map(visible).join(' ') : 'No warnings.'}</p>
       {index.omitted_traces ? <p>{visible(index.omitted_traces)}</p> : null}
-      {index.results.verdicts.length > 0 ? <Facts of={index.results.provenance} title="This run" /> : null}
-      {index.baseline ? <Facts of={index.baseline.provenance} title="Baseline" /> : null}
-      {index.trades.map((trade, i) => (
-        <Facts key={i} of={trade.provenance} title={`Speed against accuracy, file ${i + 1}`} />
+      {index.results.verdicts.length > 0 ? <Facts of={ofRun(index.results.provenance)} title="This run" /> : null}
+      {index.baseline ? <Facts of={ofRun(index.baseline.provenance)} title="Baseline" /> : null}
+      {documents(index).map((facts) => (
+        <Facts key={facts.title} {...facts} />
       ))}
-      <Engines verdicts={index.results.verdicts} />
-      <Scenarios verdicts={index.results.verdicts} />
+      {index.results.verdicts.length > 0 ? (
+        <>
+          <Engines verdicts={index.results.verdicts} />
+          <Scenarios verdicts={index.results.verdicts} />
+        </>
+      ) : null}
     </section>
   );
 }

@@ -17,6 +17,7 @@ export interface Section {
   label: string;
   view: ComponentType<{ index: Index }> | null; // null: the matrix, which stays on the page
   size: (index: Index) => number | null; // entries, shown beside the label
+  holds?: (index: Index) => boolean; // whether there is anything to say; where absent, whether there are entries
 }
 
 const sum = (list: { length: number }[]) => list.reduce((n, { length }) => n + length, 0);
@@ -51,7 +52,8 @@ export const sections: Section[] = [
     id: 'faults',
     label: 'Faults',
     view: FaultsSection,
-    size: (index) => sum(index.hunts.map((h) => h.cards)),
+    size: (index) => (index.hunts.length > 0 ? sum(index.hunts.map((h) => h.cards)) : null),
+    holds: (index) => index.hunts.length > 0, // with a fault or without
   },
   {
     id: 'measured',
@@ -64,5 +66,5 @@ export const sections: Section[] = [
 
 /** The part that the page opens with, where the address names none. */
 export function firstFilled(index: Index): Section | undefined {
-  return sections.find(({ size }) => size(index) !== 0);
+  return sections.find(({ size, holds }) => holds?.(index) ?? size(index) !== 0);
 }

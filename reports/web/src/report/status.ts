@@ -12,7 +12,7 @@ export interface Look {
 export const looks: Record<Status, Look> = {
   pass: { glyph: '\u2713', meaning: 'within tolerance', tone: 'pass' },
   unsupported: { glyph: '\u2013', meaning: 'the engine refuses the scene', tone: 'unsupported' },
-  undecided: { glyph: '?', meaning: 'its uncertainty holds the tolerance', tone: 'undecided' },
+  undecided: { glyph: '?', meaning: 'undecided: the tolerance lies within the uncertainty, or theory bounds nothing', tone: 'undecided' },
   'low-quality': { glyph: '~', meaning: 'within ten times the tolerance', tone: 'low-quality' },
   fail: { glyph: '\u2717', meaning: 'beyond that', tone: 'fail' },
   'non-finite': { glyph: '\u221e non-finite', meaning: 'NaN or infinite', tone: 'broken' },
@@ -29,6 +29,11 @@ export function severity(status: Status): number {
 
 export function isMeasured(status: Status): boolean {
   return status === 'pass' || status === 'low-quality' || status === 'fail' || status === 'undecided';
+}
+
+/** Whether `allowed` says anything: of what is measured, and of what is not finite. */
+export function hasAllowed(status: Status): boolean {
+  return isMeasured(status) || status === 'non-finite';
 }
 
 /** log10(allowed / measured) in [-99, 99]: 99 for an error of nothing, -99 for one that is not finite. */

@@ -56,6 +56,11 @@ export function Name({ text }: { text: string }) {
   return <>{parts.flatMap((part, i) => (i === 0 ? [part] : [<wbr key={i} />, part]))}</>;
 }
 
+/** With its full stop, unless it ends as a sentence does. */
+export function sentence(text: string): string {
+  return /[.?!]$/.test(text) ? text : `${text}.`;
+}
+
 /** Within a line. */
 export function Foreign({ text }: { text: string }) {
   const { shown, rest, open } = useFold(text);

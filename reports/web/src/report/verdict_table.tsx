@@ -3,18 +3,23 @@ import { useMemo } from 'preact/hooks';
 
 import type { Verdict } from '../shared/documents';
 import { cellAddress, link } from './address';
-import { digitsText, withInterval, withUnit } from './numbers';
+import { count, digitsText, withInterval, withUnit } from './numbers';
 import { digits, isMeasured } from './status';
 import { StatusMark } from './status_mark';
 import { Foreign, Name } from './text';
 import { useFew } from './use_few';
 import { visible } from './visible';
 
-export function CellName({ verdict: v }: { verdict: Verdict }) {
+/** The cell, with its step where that tells it from others. */
+export function cellText(v: Verdict, step: boolean): string {
+  return `${v.scenario} / ${v.engine}${step ? `, dt ${v.dt_text}` : ''}`;
+}
+
+export function CellName({ verdict: v, step }: { verdict: Verdict; step: boolean }) {
   const name = { scenario: v.scenario, engine: v.engine, integrator: v.integrator, dt: v.dt_text };
   return (
     <a href={link(cellAddress(name))}>
-      <Name text={`${v.scenario} / ${v.engine}`} />
+      <Name text={cellText(v, step)} />
     </a>
   );
 }
@@ -48,12 +53,12 @@ function grouped(verdicts: Verdict[]): Verdict[][] {
   return [...out.values()];
 }
 
-function Group({ group }: { group: Verdict[] }) {
+function Group({ group, step }: { group: Verdict[]; step: boolean }) {
   const v = group[0]!;
   return (
     <tr>
       <th scope="row">
-        <CellName verdict={v} />
+        <CellName verdict={v} step={step} />
       </th>
       <td>
         {group.length > 1 ? <strong>{group.length} claims: </strong> : ''}
@@ -71,9 +76,16 @@ function Group({ group }: { group: Verdict[] }) {
   );
 }
 
-export function VerdictTable({ verdicts, caption }: { verdicts: Verdict[]; caption: string }) {
+interface VerdictTableProps {
+  verdicts: Verdict[]; // worst first
+  stepped: Set<string>; // scenarios whose rows name their step
+}
+
+export function VerdictTable({ verdicts, stepped }: VerdictTableProps) {
   const groups = useMemo(() => grouped(verdicts), [verdicts]);
   const { list, button } = useFew(groups);
+  const rows = groups.length === verdicts.length ? '' : ` in ${count(groups.length, 'row')}`;
+  const caption = `${count(verdicts.length, 'verdict')}${rows}, worst first`;
   return (
     <div class="scroll" tabIndex={0} role="region" aria-label={caption}>
       <table>
@@ -90,7 +102,7 @@ export function VerdictTable({ verdicts, caption }: { verdicts: Verdict[]; capti
         </thead>
         <tbody>
           {list.map((group, i) => (
-            <Group key={i} group={group} />
+            <Group key={i} group={group} step={stepped.has(group[0]!.scenario)} />
           ))}
         </tbody>
       </table>

@@ -326,6 +326,7 @@ export interface History {
     unit: string;
     scale: 'ratio' | 'absolute' | 'value' | 'text';
     points: { run: number; revision: string; date: string; version: string; value?: number | null; text?: string }[];
+    versions?: string[]; // of the engine
     changes: { id: string; index: number; run: number; revision: string; outcome: string; state: string; note: string; found: string; sentence: string; ratio?: number; p?: number }[];
     [other: string]: unknown;
   }[];
@@ -333,6 +334,7 @@ export interface History {
 
 export interface Hunt {
   format: 'cylon-hunt/1';
+  asked?: { engine: string; scenes: number; refused: number; faulty: number }[]; // absent in older documents
   cards: {
     name: string;
     engine: string;

@@ -95,6 +95,7 @@ interface OfData {
 
 export interface Prediction extends OfData {
   format: 'cylon-prediction/1';
+  model: string; // hash of the scene
   coordinates: 'free' | 'chain';
   step: number; // [s]
   measured_runs: number;

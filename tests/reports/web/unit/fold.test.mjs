@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { load } from '../bundle_for_test.mjs';
 import { verdict } from './verdicts.mjs';
 
-const { fold, find, badness, supported } = await load('report/fold.ts');
+const { fold, find, badness, severalSteps, supported } = await load('report/fold.ts');
 const { digits, statuses } = await load('report/status.ts');
 const { summary, warnings } = await load('report/summary.ts');
 const { changes } = await load('report/changes.ts');
@@ -150,10 +150,27 @@ test('scaled tolerances and unlisted versions are warned of', () => {
   assert.deepEqual(warnings(results([verdict({})])), []);
   assert.match(warnings(results([verdict({})], 0.5))[0], /multiplied by 0.5/);
   assert.match(warnings(results([verdict({ tolerance_scale: 3 })]))[0], /multiplied by 3/);
-  assert.match(
-    warnings(results([verdict({ version_listed: false }), verdict({ version_listed: false })]))[0],
-    /ode 0.16.2: 2 verdicts are /,
-  );
+  const unlisted = verdict({ version_listed: false });
+  const explained = verdict({ version_listed: false, expected_reason: 'drift: first order' });
+  const warned = (...list) => warnings(results(list))[0];
+  assert.equal(warned(unlisted, unlisted), 'expected.toml has no row for ode 0.16.2: a pass is expected.');
+  assert.match(warned(explained, explained), /2 verdicts are compared with the expectations for other versions\.$/);
+  assert.match(warned(explained, unlisted), /1 verdict is compared [^,]*, of the others a pass is expected\.$/);
+});
+
+test('a scene at several steps is one scene, and its rows name their steps', () => {
+  const at = (dt, change = {}) => verdict({ dt, dt_text: String(dt), ...change });
+  const matrix = fold([at(0.01), at(0.001), at(0.001, { engine: 'bullet' }), at(0.01, { engine: 'bullet', status: 'unsupported' })]);
+  assert.equal(matrix.rows.length, 2);
+  assert.deepEqual(supported(matrix, 0), { run: 1, asked: 1 });
+  assert.deepEqual(supported(matrix, 1), { run: 0, asked: 1 });
+  const other = at(0.1, { scenario: 'kepler' });
+  assert.deepEqual([...severalSteps([at(0.01), other, at(0.001)])], ['heavy_top']);
+  assert.deepEqual([...severalSteps([verdict({ dt: 0.001, dt_text: '1/1000' }), at(0.001), other])], []);
+});
+
+test('a step that is written in another way is the same step of the baseline', () => {
+  assert.deepEqual(changes([verdict({ dt_text: '0.001' })], [verdict({ dt_text: '1/1000' })]), []);
 });
 
 test('changes since the baseline, worst first', () => {

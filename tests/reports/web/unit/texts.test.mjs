@@ -7,6 +7,7 @@ import { load } from '../bundle_for_test.mjs';
 const { digitsText, duration, short, withDurations, withUnit } = await load('report/numbers.ts');
 const { visible, visibleLines } = await load('report/visible.ts');
 const { stepText } = await load('report/cell/settings.tsx');
+const { sentence } = await load('report/text.tsx');
 const { parseAddress, addressText } = await load('report/address.ts');
 
 for (const [value, text] of [
@@ -75,6 +76,11 @@ test('what is invisible is written out', () => {
   );
   assert.equal(visible('</script><b>&amp;'), '</script><b>&amp;'); // markup is text; the page never reads it as markup
   assert.equal(visibleLines('a\r\nb\tc\rd\u0007'), 'a\nb\tc\\u000dd\\u0007');
+});
+
+test('a sentence ends once', () => {
+  assert.equal(sentence("did you mean 'fail'?"), "did you mean 'fail'?");
+  assert.equal(sentence("nothing stands after ':'"), "nothing stands after ':'.");
 });
 
 test('the address gives back what was put into it', () => {

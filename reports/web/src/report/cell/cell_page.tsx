@@ -45,7 +45,7 @@ function Heading({ cell, view }: { cell: Cell; view: ScenarioView | undefined })
     <>
       <h2 id="cell-heading" tabIndex={-1}>
         {visible(cell.scenario)} / {visible(cell.engine)}{' '}
-        <span class="note">{visible(`${cell.integrator}, dt ${cell.dt}`)}</span>
+        <span class="note">{visible([cell.integrator, `dt ${cell.dt}`].filter(Boolean).join(', '))}</span>
       </h2>
       <p class="cell-verdict">
         <StatusMark status={cell.worst} />

@@ -4,7 +4,7 @@ import { useMemo, useState } from 'preact/hooks';
 import type { ErrorCurve, ScenarioView, Verdict } from '../../shared/documents';
 import { Sample } from '../../shared/plot_marks';
 import { digitsText, short, withInterval, withUnit } from '../numbers';
-import { compare, differs, digits, isMeasured } from '../status';
+import { compare, differs, digits, hasAllowed, isMeasured } from '../status';
 import { Differs, StatusMark } from '../status_mark';
 import { Foreign, Numbers } from '../text';
 import { visible } from '../visible';
@@ -60,7 +60,8 @@ function Violation({ curve, verdict }: { curve: ErrorCurve | null; verdict: Verd
     );
   }
   if (verdict.first_bad_step !== null) return <>not finite from step {verdict.first_bad_step}</>;
-  return <>{curve ? 'none' : 'not recorded'}</>;
+  if (curve) return <>none</>;
+  return <>{hasAllowed(verdict.status) ? 'not recorded' : ''}</>;
 }
 
 interface LineProps {
@@ -115,7 +116,7 @@ function Line({ row, shown, toggle, reasons }: LineProps) {
         </td>
         <th scope="rowgroup">{visible(v.claim)}</th>
         <td class="number">{isMeasured(v.status) ? withInterval(v) : ''}</td>
-        <td class="number">{v.allowed === null ? '' : withUnit(v.allowed, v.unit)}</td>
+        <td class="number">{v.allowed === null || !hasAllowed(v.status) ? '' : withUnit(v.allowed, v.unit)}</td>
         <td class="number">{isMeasured(v.status) ? digitsText(digits(v.measured, v.allowed)) : ''}</td>
         <td class="number">
           <Violation curve={curve} verdict={v} />

@@ -1,6 +1,6 @@
 // The cards of `cylon hunt`: one fault each, its least scene, and a program that shows it.
 import type { Hunt, Index } from '../../shared/documents';
-import { short } from '../numbers';
+import { count, short } from '../numbers';
 import { Foreign, ForeignLines } from '../text';
 import { visible } from '../visible';
 
@@ -70,10 +70,33 @@ function CardView({ of }: { of: Card }) {
   );
 }
 
+/** What each engine was asked, which a hunt without a fault says too. */
+function Asked({ of }: { of: Hunt }) {
+  if (!of.asked || of.asked.length === 0) return of.cards.length > 0 ? null : <p>No fault.</p>;
+  return (
+    <ul>
+      {of.asked.map(({ engine, scenes, refused, faulty }, i) => (
+        <li key={i}>
+          {visible(engine)}: {count(scenes, 'scene')}, {refused} refused, {faulty === 0 ? 'no fault' : `${faulty} with a fault`}
+        </li>
+      ))}
+    </ul>
+  );
+}
+
 export function FaultsSection({ index }: { index: Index }) {
   return (
-    <section>
-      <h2>Faults that were found</h2>
+    <section aria-labelledby="faults-heading">
+      <h2 id="faults-heading">Faults that were found</h2>
+      {index.hunts.length === 0 ? (
+        <p class="empty">
+          This report holds no hunt. <code>cylon hunt --engine ENGINE --count N --json FILE</code> makes one; then{' '}
+          <code>cylon report FILE… --html REPORT</code>.
+        </p>
+      ) : null}
+      {index.hunts.map((hunt, i) => (
+        <Asked key={i} of={hunt} />
+      ))}
       {index.hunts.flatMap((hunt, i) => hunt.cards.map((card) => <CardView key={`${i} ${card.name}`} of={card} />))}
     </section>
   );

@@ -41,7 +41,7 @@ function Texts({ of }: { of: HistorySeries }) {
 function valueText(of: HistorySeries): string {
   const last = of.points[of.points.length - 1];
   if (!last || of.scale === 'text') return '';
-  return `last ${short(last.value ?? null)}${of.unit ? ` ${of.unit}` : ''}`;
+  return `last ${short(last.value ?? null)}${of.unit && of.unit !== of.scale ? ` ${of.unit}` : ''}`;
 }
 
 const scales: Record<HistorySeries['scale'], string> = {
@@ -117,7 +117,7 @@ export function HistorySection({ index }: { index: Index }) {
       </ul>
       {found.length > limit ? (
         <button type="button" onClick={() => setLimit(limit + page)}>
-          show {Math.min(page, found.length - limit)} more of {found.length - limit}
+          show {found.length - limit > page ? `${page} more of ${found.length - limit}` : `${found.length - limit} more`}
         </button>
       ) : null}
     </section>

@@ -2,6 +2,7 @@
 import type { RefObject } from 'preact';
 
 import { useAddress } from '../address';
+import { sentence } from '../text';
 import { visible } from '../visible';
 import type { QueryError } from '../query/parse';
 
@@ -26,7 +27,7 @@ export function QueryFault({ query, fault }: { query: string; fault: QueryError 
     <div class="query-fault" role="alert">
       <pre aria-hidden="true">{`${visible(query)}\n${caret}`}</pre>
       <p>
-        Character {fault.at + 1}: {visible(fault.message)}. All rows are shown.
+        Character {fault.at + 1}: {visible(sentence(fault.message))} All rows are shown.
       </p>
     </div>
   );

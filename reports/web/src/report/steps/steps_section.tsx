@@ -41,7 +41,7 @@ function Refusal({ cell }: { cell: StepCell }) {
     <>
       <strong>{cell.avoidable ? 'refused, avoidable' : 'refused'}</strong>
       <p class="why">
-        <Numbers text={cell.refusal} />
+        <Numbers text={cell.avoidable ? cell.refusal.replace(/\.$/, '') : cell.refusal} />
         {cell.avoidable ? `; ${visible(cell.avoidable)} can` : ''}
       </p>
     </>

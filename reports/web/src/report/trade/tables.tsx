@@ -71,7 +71,7 @@ export function Legend({ list, hidden, toggle }: LegendProps) {
                     .join(', '),
                 )}
               </td>
-              <td class="number">{series.of.adaptive ? 'to tolerance' : series.of.declared_order}</td>
+              <td class="number">{series.of.adaptive ? 'to tolerance' : series.of.declared_order || ''}</td>
               <td class="number">
                 {series.of.observed_order === null ? 'none' : series.of.observed_order.toFixed(2)}
               </td>
