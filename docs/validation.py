@@ -166,7 +166,8 @@ def claims(verdicts):
         if v["evidence"] == "validated":
             low, high = v["interval"] or (None, None)
             deviation = "" if v["measured"] is None else f"{with_interval(v['measured'], low, high, '{:.3g}')} {v['unit']}"
-            rows.append(f"| {v['scenario']} | {v['claim']} | {v['engine']} | {deviation} | {v['allowed']:.3g} {v['unit']} | {v['status']} |")
+            allowed = "" if v["allowed"] is None else f"{v['allowed']:.3g} {v['unit']}"
+            rows.append(f"| {v['scenario']} | {v['claim']} | {v['engine']} | {deviation} | {allowed} | {v['status']} |")
     return "\n".join(rows)
 
 
