@@ -194,9 +194,8 @@ TEST(Plans, NameTheNewKinds) {
   EXPECT_NE(missing(Method::trees, model).find("screws"), std::string::npos);
   EXPECT_EQ(missing(Method::bodies, model), "");
   EXPECT_EQ(missing(Method::body_steps, model), "");
-  Model slider = joint_scene(joint_types::slider, true).model;
-  Model reduced = slider;
-  const Plan plan = make_plan(reduced, with("auto", 0.01));
+  const Model slider = joint_scene(joint_types::slider, true).model;
+  const Plan plan = make_plan(slider, with("auto", 0.01));
   const auto row = std::ranges::find(plan.stages, std::string("reduced coordinates"), &Stage::name);
   EXPECT_EQ(row->reason, "body 0 moves along an axis");
 }

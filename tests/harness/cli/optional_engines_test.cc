@@ -6,6 +6,7 @@
 #include "harness/process/engine_table.h"
 #include "harness/process/engines.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
