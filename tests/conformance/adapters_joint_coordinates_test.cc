@@ -278,8 +278,9 @@ double derivative(const Law& law, int k) {
 // polynomial, ten times that where the scheme is Runge-Kutta's.
 double allowed_of(const Subject& subject, const Law& law) {
   const double dt = law.end / static_cast<double>(steps_of(subject, law));
-  // Rates are compared as well, and are above 1: a rounding is of the largest number.
-  double allowed = std::max(1.0, derivative(law, 0)) * event_rounding(subject, 2 * steps_of(subject, law));
+  // Rates are compared as well, and reach `speed` at a stop: a rounding is of the largest number.
+  const double largest = law.allowed ? speed : std::max(1.0, derivative(law, 0));
+  double allowed = largest * event_rounding(subject, 2 * steps_of(subject, law));
   // DART takes a turn from a matrix by an arc cosine, which small angles lose to the root of a rounding.
   if (std::string_view(subject.id) == "dart") allowed += 4 * std::sqrt(2 * subject.unit());
   if (law.allowed) return allowed + law.allowed(subject, dt);

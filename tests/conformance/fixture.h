@@ -22,9 +22,11 @@ inline std::filesystem::path source(const std::string& path) {
 }
 
 inline scenario::Scenario shipped(const std::string& name) {
-  const std::filesystem::path plain = source("scenarios/" + name + ".toml");
-  return scenario::load(std::filesystem::exists(plain) ? plain
-                                                       : source("scenarios/extremes/" + name + ".toml"));
+  for (const char* folder : {"extremes/", "validation/"})
+    if (const auto file = source(std::string("scenarios/") + folder + name + ".toml");
+        std::filesystem::exists(file))
+      return scenario::load(file);
+  return scenario::load(source("scenarios/" + name + ".toml"));
 }
 
 inline process::EngineChoice engine(const std::string& id) {

@@ -6,6 +6,7 @@
 #include "harness/scenario/input.h"
 #include "harness/study/cell_pool.h"
 #include "harness/study/relations.h"
+#include "reference/measured/claim_truth.h"
 #include "reports/json.h"
 
 #include <fmt/format.h>
@@ -107,6 +108,7 @@ TEST_F(Conformance, TheInHouseDefaultPassesEveryClaim) {
 // Rows name exact cells: each must be a claim, or a relation, of a shipped scenario on an engine of a suite, or on an
 // optional one, which is in none.
 TEST_F(Conformance, EveryExpectationIsOfAVerdict) {
+  measured::serve_scenarios();
   std::set<std::string> engines = {"in-house-float"};  // the catalogue in single precision is no suite
   for (const std::string name : {"conformance", "simbenchmark", "catalogue", "extremes"}) {
     const scenario::Suite s = suite(name);
