@@ -244,6 +244,7 @@ def key_block(make):
 # page -> its blocks, each with the function that makes it
 BLOCKS = {
     "README.md": {"run": three_engines, "engine-table": engine_table.block},
+    "docs/speed-against-accuracy.md": {"engine-tables": engine_table.full_block},
     "docs/tutorial.md": {"scene": tutorial_scene, "engines": tutorial_engines, "steps": tutorial_steps, "own": tutorial_own},
     "docs/results.md": {"matrix": matrix},
     "docs/causes.md": {"causes": causes},
