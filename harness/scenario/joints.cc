@@ -34,9 +34,7 @@ double speed_at(const core::Scene& scene, int body, const Vector3& point) {
 constexpr double rounding = 1e-14;
 double fastest(const core::Scene& scene) {
   double most = 0;
-  for (const core::Body& body : scene.bodies)
-    most = std::max(most, body.initial.velocity.norm() +
-                              body.initial.angular_velocity.norm() * body.initial.position.norm());
+  for (const core::Body& body : scene.bodies) most = std::max(most, body.initial.velocity.norm());
   return most;
 }
 double fastest_spin(const core::Scene& scene) {

@@ -35,7 +35,7 @@ struct Trial {
   const char* name;
   bool (*matters)(const core::Scene&);
 };
-// Options that are words, in every value that is not the engine's own.  ODE's stepper is none of them: the row
+// Options that are words, in every value that a row does not have by itself.  ODE's stepper is none of them: the row
 // ode-quick is its other value.
 constexpr Trial trial_options[] = {{"gyro", turns},
                                    {"rotation", turns},
@@ -57,18 +57,31 @@ const NumberTrial trial_numbers[] = {
 // Paths that an engine's first row does not take by itself.
 constexpr Trial trial_paths[] = {{"stepping", touches}, {"as-expert", always}};
 
-std::vector<std::string> variants(const std::string& id, const core::Engine& engine, const core::Scene& scene,
-                                  bool first_row) {
+// The value of an option that a row has by itself: what its path forces, else the engine's own, else the first of ours, where the
+// engine has no such thing.
+std::string by_itself(const core::Engine& engine, const std::string& path, const core::Option& option) {
+  const auto is_value = [&](const std::string& value) {
+    return std::ranges::count(option.values, value) > 0;
+  };
+  for (const core::Path& of : engine.paths)
+    if (of.name == (path.empty() ? engine.paths.front().name : path))
+      for (const core::Setting& setting : of.settings)
+        if (setting.name == option.name && is_value(setting.value)) return setting.value;
+  if (is_value(option.engine_default) || option.values.empty()) return option.engine_default;
+  return option.values.front();
+}
+
+std::vector<std::string> variants(const process::EngineChoice& choice, const core::Engine& engine,
+                                  const core::Scene& scene, bool first_row) {
+  const std::string& id = choice.id;
   std::vector<std::string> ids = {id};
   if (engine.precision == "float") return ids;
   for (const Trial& trial : trial_options)
     for (const core::Option& option : engine.options) {
       if (option.name != trial.name || !trial.matters(scene)) continue;
-      // What a row does by itself: the engine's own, or our first where the engine has none of them.
-      const bool is_own = std::ranges::find(option.values, option.engine_default) == option.values.end();
+      const std::string own = by_itself(engine, choice.path, option);
       for (const std::string& value : option.values)
-        if (value != option.engine_default && !(is_own && value == option.values.front()))
-          ids.push_back(with_option(id, fmt::format("{}={}", option.name, value)));
+        if (value != own) ids.push_back(with_option(id, fmt::format("{}={}", option.name, value)));
     }
   for (const NumberTrial& trial : trial_numbers)
     if (std::ranges::find(trial.rows, id) != trial.rows.end() && trial.matters(scene))
@@ -137,7 +150,7 @@ std::vector<Setting> settings(const scenario::Scenario& scenario, std::span<cons
       const bool with_variants =
           request.engines.empty() || (request.searched && id.find('/') == std::string::npos);
       for (const std::string& variant :
-           with_variants ? variants(id, engine, scenario.scene, first_row) : std::vector<std::string>{id})
+           with_variants ? variants(choice, engine, scenario.scene, first_row) : std::vector<std::string>{id})
         add(variant, engine, asked);
     } catch (const process::Failure&) {
       result.push_back({choice, {}, true, asked});  // its failure is a row

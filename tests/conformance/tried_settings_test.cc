@@ -44,6 +44,14 @@ TEST(TriedSettings, AreThoseThatMatterToTheScene) {
     EXPECT_FALSE(slides.contains(id)) << id;
   EXPECT_EQ(springs["ode/springs=stiff"], 1);
   EXPECT_EQ(slides["ode/springs=stiff"] + falls["ode/springs=stiff"], 0);
+  EXPECT_FALSE(springs.contains("ode/springs=force")) << "as the row has it";
+}
+
+// The row of ODE turns bodies by finite rotations, where ODE's own are infinitesimal: the row was tried twice, and these never.
+TEST(TriedSettings, AreOtherThanThoseOfTheRow) {
+  std::map<std::string, int> spins = tried("free_symmetric_top");
+  EXPECT_EQ(spins["ode"] + spins["ode/rotation=infinitesimal"] + spins["ode/gyro=off"], 3);
+  EXPECT_FALSE(spins.contains("ode/rotation=finite"));
 }
 
 }  // namespace
