@@ -32,7 +32,8 @@ class BodyPile : public Stepper {
     return work_ + direct_.operations() + overlaps_.operations() + crowd_.operations();
   }
   /// 2 as long as all steps are leaps in which nothing strikes and nothing is taken to first order, else 1.
-  std::optional<int> order_so_far() const override { return is_ahead_ && smooth_ ? 2 : 1; }
+  /// A rotor takes its rate of before from inertias that have turned since: of first order, where its body is not round.
+  std::optional<int> order_so_far() const override { return is_ahead_ && smooth_ && !rotors_ ? 2 : 1; }
 
   /// Largest violation of the contact and joint laws that a direct solution has left [m/s].
   double residual() const { return residual_; }
@@ -61,7 +62,7 @@ class BodyPile : public Stepper {
   bool is_crowd(const Group&) const;
   void move_crowds(Time now, Time span);
   bool rests(const Group&) const;
-  bool begins_at_rest(const Group&);
+  bool begins_at_rest(const Group&) const;
   bool stands(const Group&, Real span);
   bool comes_to_rest(const Group&, Real span) const;
   bool lay_to_rest(Real span);

@@ -87,7 +87,7 @@ bool BodyPile::comes_to_rest(const Group& group, Real span) const {
 
 // In the first step alone, of what is too large to be solved in every step.  Every body lies on something, so that what is
 // about to fall costs no solution.
-bool BodyPile::begins_at_rest(const Group& group) {
+bool BodyPile::begins_at_rest(const Group& group) const {
   const int points = static_cast<int>(group.blocks.size());
   if (steps_ > 0 || !settings_.rest || !is_crowd(group) || points <= settings_.direct_points ||
       points > settings_.standing_points)

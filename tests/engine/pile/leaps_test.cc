@@ -163,6 +163,20 @@ TEST(Leaps, TellTheirOrder) {
   resists.forces.drags[0].linear = 400;  // half of what does not overshoot is 1/200 s
   EXPECT_EQ(order(resists, 0.01, 20), 1);
 
+  Model turns = slides_on_a_spring();  // a hinge between two bodies, with a rotor or none
+  add_box(turns, 1, Vector3::Constant(Real(0.1)), turns.motions[0].position + Vector3(0, 2, 0));
+  add_box(turns, 1, Vector3::Constant(Real(0.1)), turns.motions[0].position + Vector3(0, Real(2.5), 0));
+  turns.forces.drags.clear();
+  turns.joints = {
+      held(turns, joint_types::hinge, 2, 1, turns.motions[0].position + Vector3(0, Real(2.2), 0), {0, 0, 1})};
+  EXPECT_EQ(order(turns, 0.01, 5), 2);
+  CoordinateLaw rotor;
+  rotor.at.kind = Coordinate::Kind::angle, rotor.at.body = 2, rotor.at.to = 1;
+  rotor.at.axis = Vector3::UnitZ(), rotor.at.zero = rotor.at.mark = Vector3::UnitX();
+  rotor.armature = Real(0.1);
+  turns.forces.coordinate_laws = {rotor};
+  EXPECT_EQ(order(turns, 0.01, 5), 1);
+
   Model many = pile_model(0, Real(0.5));  // 20 cubes in one group of more than 64 points
   for (int i = 0; i < 20; ++i)
     add_box(many, 1, Vector3::Constant(Real(0.5)), {static_cast<Real>(i), Real(0.5), 0}, {1, 0, 0});
