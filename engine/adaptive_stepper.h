@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/integrators/dop853.h"
+#include "engine/operations.h"
 #include "engine/root.h"
 #include "engine/system_stepper.h"
 
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -26,16 +28,23 @@ concept Switching = requires(S& s, const S& c, Time t, const Real* y) {
 };
 
 /// Where no step meets the tolerance any more (a collision of attracting points) the motion ends: all later
-/// states are not a number, and a diagnostic says when.
+/// states are not a number, and a diagnostic says when.  Where it takes more than step_evaluations in a step and the
+/// reserve is used up, steps are not shortened for what rounding makes, and a diagnostic says so.
 template <System S, class Read>
 class AdaptiveStepper final : public SystemStepper<S, Read> {
   using Base = SystemStepper<S, Read>;
   using Base::dt_, Base::steps_, Base::system_, Base::y_;
 
  public:
-  AdaptiveStepper(S system, std::vector<Real> initial, Real tolerance, Time dt, Read read, std::int64_t first)
+  /// Operations that the runs of one motion may spend beside those of each step.
+  static constexpr std::int64_t first_operations = 2'000'000;
+
+  /// `reserve`: what is left of first_operations.
+  AdaptiveStepper(S system, std::vector<Real> initial, Real tolerance, Time dt, Read read, std::int64_t first,
+                  std::shared_ptr<std::int64_t> reserve)
       : Base(std::move(system), std::move(initial), dt, std::move(read), first),
-        integrator_(system_.size(), tolerance) {
+        integrator_(system_.size(), tolerance),
+        allowance_(std::move(reserve)) {
     const Time start = static_cast<Time>(first) * dt;
     if constexpr (Switching<S>) {
       watching_ = system_.switch_count() > 0;
@@ -48,12 +57,15 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
   void step() override {
     const Time now = static_cast<Time>(++steps_) * dt_;
     flips_ = 0;
+    allowance_.add(Base::operations_of(step_evaluations));
     while (going_ && reached() < now) {
       if (turn_) {
         take_turn();
       } else {
         if (integrator_.end() >= kink_) cross_kink();
+        if (allowance_.is_spent(operations())) integrator_.take_rounding();
         ending_ = integrator_.step(system_, std::min(integrator_.end() + farthest * dt_, kink_));
+        if (integrator_.rounded()) log_.note(DiagnosticKind::rounding_exceeds, integrator_.begin());
         going_ = ending_ == Ending::done;
         if (going_ && watching_) turn_ = first_turn();
       }
@@ -67,7 +79,7 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
   std::int64_t operations() const override { return Base::operations_of(integrator_.evaluations()); }
 
   std::vector<Diagnostic> diagnostics() const override {
-    DiagnosticLog log;
+    DiagnosticLog log = log_;
     if (ending_ != Ending::done)
       log.note(DiagnosticKind::integration_ended, integrator_.end(), {}, {},
                ending_ == Ending::non_finite ? "a rate is not a number"
@@ -79,6 +91,7 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
   }
 
  private:
+  static constexpr std::int64_t step_evaluations = 100;
   static constexpr Time farthest = 1e6;  // steps of dt that one step of the integrator may span
   // Places within a step of the integrator at which a change of sign is looked for.  A switch that goes and comes back
   // between two of them is none.
@@ -151,7 +164,7 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
         system_.flip(turn.which);
       }
       last_turn_ = turn;
-      integrator_.start(system_, turn.time, y_.data(), true);
+      integrator_.start(system_, turn.time, y_.data(), integrator_.next_step());
     }
   }
 
@@ -163,6 +176,8 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
   int flips_ = 0;
   std::optional<Turn> last_turn_;
   Time slides_at_ = 0;
+  Allowance allowance_;
+  DiagnosticLog log_;
 };
 
 }  // namespace cylon::engine

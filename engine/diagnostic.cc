@@ -38,6 +38,10 @@ const std::array<DiagnosticRow, static_cast<std::size_t>(DiagnosticKind::count)>
      "auto: from t = {since} s on the error is not known, and the tolerance {limit} may be missed: the "
      "solution used a fallback that does not obey the contact laws exactly, so that the agreement of two "
      "solutions proves nothing"},
+    {K::rounding_exceeds, "rounding-exceeds", "", "",
+     "in {count} steps of the integrator, from t = {since} s on, rounding of the forces makes errors above "
+     "the "
+     "local tolerance, and shorter steps would not make them smaller"},
     {K::integration_ended, "integration-ended", "", "", "integration stopped at t = {since} s: {cause}"},
     {K::switches_not_located, "switches-not-located", "switches", "",
      "from t = {since} s on a force switches on and off more than {limit} times in a step: its switching "

@@ -29,6 +29,7 @@ enum class DiagnosticKind {
   tolerance_missed,
   last_not_compared,
   tolerance_unknown,
+  rounding_exceeds,
   integration_ended,
   switches_not_located,
   series_not_ended,

@@ -135,11 +135,13 @@ EventStepper::EventStepper(Reduced reduced, const Integrator& integrator, Time d
       restless_(candidates_.size(), 0),
       pulls_(candidates_.size(), 0),
       stills_(system_.count(), 0),
-      reserve_(reserve ? std::move(reserve) : std::make_shared<std::int64_t>(first_operations)) {
+      allowance_(reserve ? std::move(reserve) : std::make_shared<std::int64_t>(first_operations)) {
   for (const Shape& shape : system_.model().shapes) reaches_.push_back(bounding_radius(shape));
   reaches_.resize(readings_.size(), 0);
   for (std::size_t i = system_.count(); i < readings_.size(); ++i)
     outermost_ = std::max(outermost_, motions()[i].position.norm() + reaches_[i]);
+  // Runs before this one have spent theirs.
+  if (allowance_.reserve() < first_operations) controlled_.take_rounding();
   system_.start_piece(start);
   kink_ = system_.next_kink(start);
   system_.project(y_.data());
@@ -161,7 +163,7 @@ void EventStepper::step() {
   std::fill(restless_.begin(), restless_.end(), char{0});
   plastic_ = false;
   idle_ = rough_ = 0;
-  allowed_ += step_operations * (3 * static_cast<std::int64_t>(system_.count()) + solution(held_.size()));
+  allowance_.add(step_operations * (3 * static_cast<std::int64_t>(system_.count()) + solution(held_.size())));
   rounds_ = 0, marked_ = now, stride_ = first_stride * dt_;
   if (lost_ && (!is_spent() || steps_ % resumed_steps == 0)) {
     lost_ = false;
@@ -172,7 +174,9 @@ void EventStepper::step() {
   // operations that are allowed come to an end the rest of the step is a few strides.
   int events = 0, pieces = 0, crawled = 0, strides = 0;
   while (now < end) {
-    if (lost_ || events >= event_limit || (!resting_ && is_spent())) {
+    const bool spent = !lost_ && !resting_ && is_spent();
+    ran_out_ = ran_out_ || spent;
+    if (lost_ || events >= event_limit || spent) {
       give_up(now, end);
       break;
     }
@@ -232,13 +236,14 @@ std::int64_t EventStepper::solution(std::size_t points) const {
   return linear_operations(static_cast<std::int64_t>(3 * points + joint_rows_));
 }
 
-// Whether the operations that are allowed are spent, those of the reserve too.
+// Whether the operations that are allowed are spent, those of the reserve too; for the first time they may have been for
+// steps that rounding made short.
 bool EventStepper::is_spent() {
-  const std::int64_t beyond = operations() - allowed_;
-  if (beyond <= 0) return false;
-  const std::int64_t drawn = std::min(beyond, *reserve_);
-  allowed_ += drawn, *reserve_ -= drawn;
-  return drawn < beyond;
+  if (!allowance_.is_spent(operations())) return false;
+  if (!adaptive_ || controlled_.takes_rounding()) return true;
+  controlled_.take_rounding();
+  allowance_.add(first_operations / 6);
+  return false;
 }
 
 bool EventStepper::gave_up() const {
@@ -250,7 +255,8 @@ bool EventStepper::gave_up() const {
 
 std::int64_t EventStepper::operations() const {
   const auto bodies = static_cast<std::int64_t>(system_.count());
-  return work_ + 3 * bodies * (controlled_.evaluations() + probe_.evaluations()) +
+  const std::int64_t evaluation = 3 * bodies + 2 * static_cast<std::int64_t>(joint_rows_);
+  return work_ + evaluation * (controlled_.evaluations() + probe_.evaluations()) +
          passage_.looks() * (2 + bodies);
 }
 
@@ -321,6 +327,7 @@ Time EventStepper::piece(Time from, Time span) {
     if (fresh_) controlled_.start(scaled_, from, y_.data(), controlled_.next_step());
     fresh_ = false;
     const Ending ending = controlled_.step(scaled_, from + span);
+    if (controlled_.rounded()) log_.note(DiagnosticKind::rounding_exceeds, from);
     std::copy_n(controlled_.state(), system_.size(), y_.begin());
     if (account_) system_.load(controlled_.end(), y_.data());
     if (ending == Ending::done) {
@@ -363,9 +370,12 @@ void EventStepper::part(Time from, Real s) {
   if (account_) system_.load(from + span, y_.data());
 }
 
-// So slow a slip turns that the pieces would not come to an end: it turns later.
+// So slow a slip of surfaces turns that the pieces would not come to an end: it turns later.
 void EventStepper::hurry(Time now) {
-  if (held_.empty() || haste_ >= most_haste) return;
+  const auto turns = [&](const HeldPoint& h) {
+    return h.holding.grip == Grip::slides && !is_of_joint(candidates_[h.candidate]);
+  };
+  if (haste_ >= most_haste || std::ranges::none_of(held_, turns)) return;
   haste_ *= 4, slow_slip_ *= 4;
   log_.note(DiagnosticKind::slip_turned_late, now, {}, static_cast<double>(slow_slip_));
   fresh_ = true;

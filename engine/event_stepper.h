@@ -12,6 +12,7 @@
 #include "engine/contact/seams.h"
 #include "engine/integrators/advance.h"
 #include "engine/integrators/dop853.h"
+#include "engine/operations.h"
 #include "engine/reduce.h"
 #include "engine/stepper.h"
 
@@ -76,6 +77,7 @@ class EventStepper final : public Stepper, private Holder {
   std::int64_t operations() const override;
   /// Whether it left the laws of contact for a time.
   bool gave_up() const override;
+  bool ran_out() const override { return ran_out_; }
 
   /// What is held now.
   const std::vector<HeldPoint>& held() const { return held_; }
@@ -188,6 +190,7 @@ class EventStepper final : public Stepper, private Holder {
   int rounds_ = 0;              // events and pieces since marked_
   Time marked_ = 0;             // [s]
   Time stride_ = 0;             // the next stride of this step [s]
+  bool ran_out_ = false;        // operations came to an end before a step did
   bool lost_ = false;           // the last step ended in strides: what touches is not known
   bool instant_ = false;        // all events of this instant are resolved
   bool plastic_ = false;        // for the rest of this step
@@ -197,10 +200,9 @@ class EventStepper final : public Stepper, private Holder {
   std::vector<Real> stills_;    // per body that a coordinate holds: slower than this it does not move [m/s]
   bool resting_ = false;        // nothing moves, and no force depends on time
   DiagnosticLog log_;
-  Time now_ = 0;                           // of the last contact forces [s]
-  std::int64_t work_ = 0;                  // operations beside those of integrators and passage
-  std::int64_t allowed_ = 0;               // operations that may be spent by now
-  std::shared_ptr<std::int64_t> reserve_;  // operations that may be added to these
+  Time now_ = 0;           // of the last contact forces [s]
+  std::int64_t work_ = 0;  // operations beside those of integrators and passage
+  Allowance allowance_;
   std::vector<TouchPoint> touches_;
   std::vector<Holding> holdings_;
   Rows rows_;

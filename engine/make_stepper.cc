@@ -38,8 +38,10 @@ std::unique_ptr<Stepper> smooth(const S& system, const std::vector<Real>& initia
   if (plan.integrator->kind != Kind::adaptive)
     return std::make_unique<SmoothStepper<S, Read>>(system, initial, *plan.integrator, options.dt, read,
                                                     first);
+  const auto reserve = std::make_shared<std::int64_t>(AdaptiveStepper<S, Read>::first_operations);
   const auto run = [=](Real tolerance) -> std::unique_ptr<Stepper> {
-    return std::make_unique<AdaptiveStepper<S, Read>>(system, initial, tolerance, options.dt, read, first);
+    return std::make_unique<AdaptiveStepper<S, Read>>(system, initial, tolerance, options.dt, read, first,
+                                                      reserve);
   };
   if (!plan.verified) return run(bound(options));
   return std::make_unique<VerifiedStepper>(run, bound(options), options.dt, model.bodies, first);
@@ -106,7 +108,7 @@ std::unique_ptr<Stepper> make_events(const Model& model, const Plan& plan, const
   };
   if (!plan.verified) return run(bound(options));
   return std::make_unique<VerifiedStepper>(run, bound(options), options.dt, model.bodies,
-                                           step_at(start, options));
+                                           step_at(start, options), reserve);
 }
 
 // More than the machine has change nothing, and oneTBB complains of them on stderr.

@@ -37,6 +37,7 @@ class PartedSteps final : public Stepper {
   std::vector<Diagnostic> diagnostics() const override { return run_->diagnostics(); }
   std::int64_t operations() const override { return run_->operations(); }
   bool gave_up() const override { return run_->gave_up(); }
+  bool ran_out() const override { return run_->ran_out(); }
 
  private:
   void add_contacts();

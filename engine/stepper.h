@@ -82,6 +82,9 @@ class Stepper {
   /// Whether a part of the run so far went in a way that no smaller tolerance makes better.
   virtual bool gave_up() const { return false; }
 
+  /// Whether it gave up for want of operations: a larger tolerance may need fewer.
+  virtual bool ran_out() const { return false; }
+
   /// What a user must know of the run so far: a tolerance that could not be kept, a cap that was hit.  Empty:
   /// nothing.
   virtual std::vector<Diagnostic> diagnostics() const { return {}; }

@@ -20,12 +20,15 @@ using MakeRun = std::function<std::unique_ptr<Stepper>(Real local_tolerance)>;
 /// a diagnostic says so, and the finer run goes on alone.  A run that is made to refine and gives up is not taken.
 /// So it is where a finer run ends before the sample, as it does where rounding leaves no step that is small enough:
 /// the two finest runs that go on are taken; where both runs end, none finer is tried.
+/// Where the finer run gave up for want of operations, both start again once, at 10^5 of its tolerance and ten times
+/// that, with a reserve of operations of their own: what they are given out for parts by a known amount.
 /// A sample within a step of an impact may part by as much as the impact changes it; it is compared again one
 /// step later.  Of the last sample of a run a diagnostic says so.
 class VerifiedStepper final : public Stepper {
  public:
-  /// `first`: the step at which the runs start.
-  VerifiedStepper(MakeRun, Real bound, Time dt, std::vector<Body> bodies, std::int64_t first = 0);
+  /// `first`: the step at which the runs start.  `reserve`: operations that all runs share, if they do.
+  VerifiedStepper(MakeRun, Real bound, Time dt, std::vector<Body> bodies, std::int64_t first = 0,
+                  std::shared_ptr<std::int64_t> reserve = {});
 
   void step() override;
   void read(std::vector<Motion>& motions) const override { fine_->read(motions); }
@@ -48,6 +51,7 @@ class VerifiedStepper final : public Stepper {
   std::unique_ptr<Stepper> replay(Real tolerance) const;
   bool tighten();  // whether the finer run goes on
   void loosen();
+  bool loosen_far();
 
   MakeRun make_;
   Real bound_;
@@ -62,7 +66,8 @@ class VerifiedStepper final : public Stepper {
   std::int64_t first_, steps_ = 0, missed_at_ = -1, unknown_at_ = -1;  // steps since the start
   Real worst_ = 0, last_ = 0;
   std::int64_t spent_ = 0;  // operations of runs that were given up
-  bool waiting_ = false;    // for a sample away from an impact
+  std::shared_ptr<std::int64_t> reserve_;
+  bool waiting_ = false;  // for a sample away from an impact
 };
 
 }  // namespace cylon::engine

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -33,17 +34,24 @@ enum class Ending : unsigned char {
 ///
 /// The state is summed with compensation: what rounding takes from it is carried on to the next step, so that
 /// many steps round as one.
+///
+/// Rounding of ill-conditioned rates (joints of light bodies between heavy ones) makes an error in proportion to h,
+/// which shorter steps hardly make smaller: steps would shrink until it is below the tolerance.  From
+/// take_rounding() on it is measured, for each number of the state,
+///   rounding_i = |f_i(t, y +- epsilon scale) - f_i(t, y)|,  the largest of late,
+/// and where these are more than `ill_conditioned` epsilon |f|, `weight` h rounding_i is no part of estimate_i of E5.
 template <System S>
 class Dop853 {
  public:
   /// tolerance: relative to the scales, per step; at least epsilon/2, less counts as that; the compensated
   /// sums make that worth asking for.
   Dop853(std::size_t size, Real tolerance)
-      : n_(size), tolerance_(std::max(tolerance, epsilon / 2)), memory_((stages + 6 + 8) * size) {
+      : n_(size), tolerance_(std::max(tolerance, epsilon / 2)), memory_((stages + 7 + 8) * size) {
     Real* at = memory_.data();
     const auto take = [&](std::size_t vectors) { return std::exchange(at, at + vectors * n_); };
     k_ = take(stages);
     y_ = take(1), next_ = take(1), stage_ = take(1), carry_ = take(1), scale_ = take(1), change_ = take(1);
+    rounding_ = take(1);
     dense_ = take(8);
   }
 
@@ -71,6 +79,7 @@ class Dop853 {
     assert(limit > end_);
     if (h_ == 0) h_ = first_step(s, limit - end_);
     bool rejected = false;
+    bool measured = false;
     while (true) {
       const bool last = end_ + 1.01 * h_ >= limit;            // no sliver of a step is left over
       const Time t = last ? limit : end_ + h_, h = t - end_;  // the step that the time will show
@@ -79,8 +88,14 @@ class Dop853 {
         if (rejected) return finite_ ? Ending::step_too_small : Ending::non_finite;
       }
       take_stages(s, h);
-      const double error = error_norm(s, h);
+      double error = error_norm(s, h);
       finite_ = std::isfinite(error);
+      const bool within = error <= 1;
+      if (takes_rounding_ && finite_) {
+        if (!measured) measure_rounding(s);
+        measured = true;
+        error = std::max(error_norm(s, h, weight), std::min(error, 0.01));  // a step grows at most by half
+      }
       // error^(1/8 - 0.2 beta) / previous^beta / 0.9
       const double raw = finite_ ? std::pow(error, 0.125 - 0.2 * beta) : 10;
       if (finite_ && error <= 1) {
@@ -89,6 +104,7 @@ class Dop853 {
         // a step cut short by the limit says nothing against the longer one that was planned
         h_ = rejected ? std::min(wish, h) : last ? std::max(wish, std::min(h_, 6 * h)) : wish;
         previous_error_ = std::max(error, 1e-4);
+        rounded_ = !within;
         accept(s, h, t);
         return Ending::done;
       }
@@ -142,14 +158,24 @@ class Dop853 {
     s.project(y);
   }
 
+  /// From now on errors that rounding of the rates makes are taken.
+  void take_rounding() { takes_rounding_ = true; }
+  bool takes_rounding() const { return takes_rounding_; }
+
   Time next_step() const { return h_; }  ///< The step that will be tried next [s].
   long evaluations() const { return evaluations_; }
   long accepted() const { return accepted_; }
   long rejected() const { return rejected_; }
+  /// Whether the last step was taken with an error over the tolerance, because rounding makes it.
+  bool rounded() const { return rounded_; }
 
  private:
   static constexpr std::size_t stages = 16;
   static constexpr double beta = 0.04;
+  // The weights of E5 on rates with errors of their own add up to 2.2, and a few rates tell little of those errors.
+  static constexpr double weight = 6;
+  static constexpr double ill_conditioned = 100;
+  static constexpr Real kept = Real(0.98);  // of what was measured, from one measurement to the next
 
   template <std::size_t I>
   struct Row {
@@ -194,17 +220,43 @@ class Dop853 {
     }
   }
 
-  double error_norm(S& s, Time h) {
+  // Without so many times the rounding.
+  double error_norm(S& s, Time h, double roundings = 0) {
     set_scales(s, y_);
     double e5 = 0, e3 = 0;
     for (std::size_t i = 0; i < n_; ++i) {
       const double unit = static_cast<double>(tolerance_) * static_cast<double>(scale_[i]);
-      const double five = combination<Entries<dop853::error5>, 12>(k_, n_, i) / unit;
+      const double estimate = std::abs(combination<Entries<dop853::error5>, 12>(k_, n_, i));
+      const double five = std::max(estimate - roundings * static_cast<double>(rounding_[i]), 0.0) / unit;
       const double three = combination<Entries<dop853::error3>, 12>(k_, n_, i) / unit;
       e5 += five * five, e3 += three * three;
     }
     const double sum = e5 + 0.01 * e3;
     return sum == 0 ? 0 : h * e5 / std::sqrt(sum * static_cast<double>(n_));
+  }
+
+  // How much the rates move with the last digits of the state; no more than has been, where they move as those of a
+  // well-conditioned system do.
+  void measure_rounding(S& s) {
+    std::uint32_t signs = 1 + static_cast<std::uint32_t>(accepted_);  // others each time
+    for (std::size_t i = 0; i < n_; ++i) {
+      signs = signs * 1664525 + 1013904223;
+      stage_[i] = y_[i] + (signs >> 31 == 0 ? epsilon : -epsilon) * scale_[i];
+    }
+    s.rates(end_, stage_, next_);
+    ++evaluations_;
+    double change = 0, all = 0;
+    for (std::size_t i = 0; i < n_; ++i) {
+      const double scale = static_cast<double>(scale_[i]);
+      const double x = static_cast<double>(next_[i] - k_[i]) / scale,
+                   rate = static_cast<double>(k_[i]) / scale;
+      change += x * x, all += rate * rate;
+    }
+    const bool ill = change > std::pow(ill_conditioned * static_cast<double>(epsilon), 2) * all;
+    for (std::size_t i = 0; i < n_; ++i) {
+      const Real now = ill && std::isfinite(change) ? std::abs(next_[i] - k_[i]) : Real(0);
+      rounding_[i] = std::max(now, kept * rounding_[i]);
+    }
   }
 
   // Section II.4: a step of Euler's method shows the second derivative; h^8 max(|y'|, |y''|) = 0.01.
@@ -284,10 +336,11 @@ class Dop853 {
   Real tolerance_;
   std::vector<Real> memory_;
   Real *k_ = nullptr, *y_ = nullptr, *next_ = nullptr, *stage_ = nullptr, *carry_ = nullptr;
-  Real *scale_ = nullptr, *change_ = nullptr, *dense_ = nullptr;
+  Real *scale_ = nullptr, *change_ = nullptr, *dense_ = nullptr, *rounding_ = nullptr;
   Time begin_ = 0, end_ = 0, h_ = 0, step_ = 0;
   double previous_error_ = 1e-4;
   bool dense_ready_ = false, finite_ = true;
+  bool takes_rounding_ = false, rounded_ = false;
   long evaluations_ = 0, accepted_ = 0, rejected_ = 0;
 };
 

@@ -121,6 +121,8 @@ void check_coordinates(const Table& t, const std::vector<Coordinate>& coordinate
         c.stiffness == 0 && c.damping == 0, "belongs to 'stiffness' and 'damping'");
     refuse(table, {"target", "target_amplitude", "target_frequency", "target_phase"},
            table.has("target_times"), "does not go with 'target_times'");
+    refuse(table, {"target_frequency", "target_phase"}, !table.has("target_amplitude"),
+           "belongs to 'target_amplitude'");
     check_table(table, c);
   }
 }

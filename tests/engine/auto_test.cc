@@ -163,5 +163,67 @@ TEST(Auto, TriesNoFinerRunWhereBothEnd) {
   EXPECT_NEAR(static_cast<double>(all[0].since), 0.02, 1e-12);
 }
 
+// A run that wants for operations after its third step where its tolerance is below 1e-8, and ends off by that tolerance.
+class Wanting final : public Stepper {
+ public:
+  Wanting(Real tolerance, std::int64_t reserve) : tolerance_(tolerance), reserve_(reserve) {}
+  void step() override { ++steps_; }
+  void read(std::vector<Motion>& motions) const override {
+    const Real x = 1 + (ran_out() ? Real(0.1) : tolerance_);
+    motions.assign(1, make_motion(body(), {x, 2, 3}, Quaternion::Identity(), {0, 0, 0}, {0, 0, 0}));
+  }
+  void read_turns(std::vector<Real>& turns) const override { turns.clear(); }
+  std::int64_t operations() const override { return steps_; }
+  bool ran_out() const override { return steps_ > 2 && (tolerance_ < Real(1e-8) || reserve_ == 0); }
+  bool gave_up() const override { return ran_out(); }
+  static Body body() { return make_body(1, Matrix3::Identity()); }
+
+ private:
+  Real tolerance_;
+  std::int64_t reserve_, steps_ = 0;
+};
+
+VerifiedStepper wanting(Real bound, const std::shared_ptr<std::int64_t>& reserve) {
+  return {[reserve](Real tolerance) { return std::make_unique<Wanting>(tolerance, reserve ? *reserve : 1); },
+          bound,
+          0.01,
+          {Wanting::body()},
+          0,
+          reserve};
+}
+
+// It went on by strides of first order, where a larger tolerance would have been kept with the same operations.
+TEST(Auto, TakesALargerToleranceWhereOperationsEnd) {
+  VerifiedStepper stepper = wanting(Real(1e-10), std::make_shared<std::int64_t>(0));
+  std::int64_t before = 0;
+  for (int i = 0; i < 6; ++i) {
+    stepper.step();
+    EXPECT_GT(stepper.operations(), before);
+    before = stepper.operations();
+  }
+  std::vector<Motion> motions;
+  stepper.read(motions);
+  EXPECT_NEAR(motions[0].position.x(), 1, 1e-6);
+  const std::vector<Diagnostic> all = stepper.diagnostics();
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].kind, DiagnosticKind::tolerance_missed);
+  EXPECT_NEAR(static_cast<double>(all[0].since), 0.03, 1e-12);
+  ASSERT_TRUE(all[0].reached);
+  EXPECT_NEAR(*all[0].reached, 9e-7 / std::sqrt(14.),
+              1e-9);  // of 1e-7 and 1e-6, over the distance from the origin
+}
+
+// Nothing larger goes on: the first run stays, of which nothing is known.
+TEST(Auto, TakesNoLargerToleranceWhereItsOperationsEndToo) {
+  for (const Real bound : {Real(1e-12), Real(1e-7)}) {
+    VerifiedStepper stepper =
+        wanting(bound, bound > Real(1e-10) ? nullptr : std::make_shared<std::int64_t>(0));
+    for (int i = 0; i < 6; ++i) stepper.step();
+    const std::vector<Diagnostic> all = stepper.diagnostics();
+    ASSERT_EQ(all.size(), 1u) << bound;
+    EXPECT_EQ(all[0].kind, DiagnosticKind::tolerance_unknown) << bound;
+  }
+}
+
 }  // namespace
 }  // namespace cylon::engine

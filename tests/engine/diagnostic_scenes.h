@@ -41,6 +41,35 @@ inline Model on_rod(Real speed) {
   return model;
 }
 
+// A beam on two links of a ten-millionth of its mass: a four-bar, over a dead point.
+inline Model light_links() {
+  Model model;
+  model.forces.gravity = {0, Real(-9.81), 0};
+  const Matrix3 beam = Vector3(Real(0.1), Real(0.12), Real(0.15)).asDiagonal(), link = Real(1e-7) * beam;
+  for (const Vector3& at : {Vector3(0.5, 0, 0), Vector3(1.5, 0.5, 0), Vector3(2, 0.5, 0)}) {
+    const bool light = at.x() != Real(1.5);
+    add_body(model, make_body(light ? Real(1e-7) : Real(1), light ? link : beam), at, {0, 0, 0}, {0, 0, 0},
+             {0, 0, 0});
+  }
+  const auto hinge = [&](int body, int to, const Vector3& point) {
+    const auto arm = [&](int end) -> Vector3 {
+      return end == fixed_world ? point : point - model.motions[static_cast<std::size_t>(end)].position;
+    };
+    model.joints.push_back({.type = joint_types::hinge,
+                            .body = body,
+                            .anchor = arm(body),
+                            .to = to,
+                            .to_anchor = arm(to),
+                            .axis = Vector3::UnitZ(),
+                            .to_axis = Vector3::UnitZ()});
+  };
+  hinge(0, fixed_world, {0, 0, 0});
+  hinge(1, 0, {1, 0, 0});
+  hinge(2, 1, {2, 1, 0});
+  hinge(2, fixed_world, {2, 0, 0});
+  return model;
+}
+
 // Two points of 1 kg that fall on each other from rest, 2 m apart, at strength 1: in pi/2 sqrt(2) s, Kepler's third law.
 inline constexpr double meet_at = 2.2214414690791831;
 

@@ -133,6 +133,12 @@ const std::vector<Provoked> provoked = {
        options.path = "events";
        return said(jamming_rod(), options, 100);
      }},
+    {K::rounding_exceeds, 3,
+     [] {
+       Options options = with("auto", 1. / 64);
+       options.tolerance = Real(1e-13);
+       return said(light_links(), options, 128);
+     }},
     {K::integration_ended, 4, [] { return said(falling_together(), with("dop853", 0.1), 40); }},
     {K::switches_not_located, 30, [] { return said(at_the_surface(Real(0.01)), with("dop853", 10), 3); }},
     {K::series_not_ended, 1,

@@ -5,9 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <iostream>
 #include <limits>
+#include <type_traits>
 
 namespace cylon::engine {
 namespace {
@@ -117,6 +120,55 @@ TEST(Dop853, KeepsLongMotionsOfABody) {
 }
 
 // One step of h: the dense output's error falls by 2^8 when h halves (order 7), at every place inside it.
+/// Oscillators whose rates come with an error of 1e-9 that the last bits of the state decide.
+struct Noisy : Oscillators {
+  void rates(Time t, const Real* from, Real* rate) {
+    Oscillators::rates(t, from, rate);
+    for (std::size_t i = 0; i < 6; ++i) {
+      std::uint64_t bits = std::bit_cast<std::uint64_t>(static_cast<double>(from[(i + 1) % 6])) + i;
+      bits = (bits ^ (bits >> 31)) * 0x9e3779b97f4a7c15u;
+      bits = (bits ^ (bits >> 29)) * 0xbf58476d1ce4e5b9u;
+      rate[i] += Real(1e-9) * (static_cast<Real>(bits >> 11) * Real(0x1p-52) - 1);
+    }
+  }
+};
+
+template <class S>
+Result<S> solve_rounded(S system, double tolerance, double duration, bool takes, long most) {
+  std::vector<Real> y = system.exact(0);
+  Dop853<S> integrator(6, tolerance);
+  if (takes) integrator.take_rounding();
+  integrator.start(system, 0, y.data());
+  bool rounded = false;
+  while (integrator.end() < duration && integrator.evaluations() < most) {
+    EXPECT_EQ(integrator.step(system, duration), Ending::done);
+    rounded = rounded || integrator.rounded();
+  }
+  EXPECT_EQ(rounded, (takes && std::is_same_v<S, Noisy>));
+  std::copy_n(integrator.state(), 6, y.data());
+  return {y, integrator.evaluations()};
+}
+
+// Steps shrank until rounding of the rates was below the tolerance: 10^5 times as many, for the same error.
+TEST(Dop853, StepsDoNotShrinkForRoundingOfTheRates) {
+  const Result<Noisy> free = solve_rounded(Noisy{}, 1e-13, 10, true, 1'000'000);
+  EXPECT_LT(free.evaluations, 3000);
+  const double error = distance(free.y, Noisy{}.exact(10));
+  std::cout << free.evaluations << " evaluations, error " << error << "\n";
+  EXPECT_LT(error, 3e-8);  // 10 s at rates that are off by up to 1e-9, in six numbers
+  EXPECT_EQ(solve_rounded(Noisy{}, 1e-13, 10, false, 1'000'000).evaluations / 1000, 1000);
+}
+
+// Of well-conditioned rates nothing is taken, at any tolerance: the same bits.
+TEST(Dop853, WellConditionedRatesKeepTheTolerance) {
+  for (const double tolerance : {1e-6, 1e-10, 1e-14, 1e-17}) {
+    const auto one = solve_rounded(Oscillators{}, tolerance, 30, false, 1'000'000),
+               other = solve_rounded(Oscillators{}, tolerance, 30, true, 1'000'000);
+    EXPECT_EQ(one.y, other.y) << tolerance;
+    EXPECT_GE(other.evaluations, one.evaluations);  // what is measured
+  }
+}
+
 TEST(Dop853, DenseOutputHasOrderSeven) {
   Oscillators system;
   const auto error = [&](double h, double place) {

@@ -313,11 +313,22 @@ const std::vector<Odd> all = {
     // Two points jam each other before they slip, or contacts rattle: each took 10 to 50 s, what was told was wrong, and then
     // the law was left.  The ends are those of steps of 0.01, 0.003 and 0.001 s, and of the path `stepping` with 300 sweeps,
     // which comes within 0.0066, 0.0007 and 0.0001 m at 2e-5 s.
-    {"box_with_ball_jams", 1.5e7, "late", {{0, What::position, 0, -0.42763478, 1e-6}}},
+    {"box_with_ball_jams", 1.5e7, "is not reached", {{0, What::position, 0, -0.42763478, 1e-6}}},
     {"box_with_ball_slides", 3e7, "late", {{0, What::position, 0, -0.0836815039763, 1e-9}}},
     {"box_in_a_shaken_frame", 1e7, "", {{0, What::position, 0, 0.06373440665, 1e-9}}},
     {"tetrahedron_rattles", 5e7, "late", {{0, What::position, 0, -0.3701794920, 1e-7}}},
     {"rod_digs_in", 9e6, unknown},
+    // Rounding of joints beside light bodies is more than a tolerance leaves to a step: there was no end, or the law was
+    // left.  The beam's end is that of its own equations on links without mass, by RK4 in 8000 steps, with the links'
+    // mass at its ends; the load's that of tolerances of 1e-4 to 1e-8, of which the last three agree to 3e-7.
+    {"light_links_in_a_loop",
+     1.5e7,
+     "is not reached",
+     {{1, What::position, 0, 0.64666718792, 1e-8}, {1, What::position, 1, 0.36738116732, 1e-8}}},
+    {"light_slider_rubs_twice",
+     8e7,
+     "is not reached",
+     {{0, What::position, 0, -0.87422855, 1e-6}, {1, What::position, 2, -0.16319936, 1e-6}}},
     {"weight_on_a_stop", 1e6, "", {{0, What::position, 1, 0.1, 1e-15}, {0, What::velocity, 1, 0, 0}}},
     {"hinge_chain", 5e8, not_followed, {}, "events"},
     {"jointed_boxes", 1.5e8, "is not reached", {{0, What::position, 1, 0.2, 1e-6}}, "events"},

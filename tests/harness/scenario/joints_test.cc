@@ -132,6 +132,8 @@ TEST(Joints, WhatMakesNoSenseIsRefusedByItsPlace) {
       {joint("slider", along + slide + "lower = 0\nrestitution = 1.5\n"), "restitution = 1.5"},
       {joint("slider", along + slide + "stiffness = -1\n"), "stiffness = -1"},
       {joint("slider", along + slide + "target = 1\n"), "target belongs to 'stiffness' and 'damping'"},
+      {joint("slider", along + slide + "stiffness = 2\ntarget_frequency = 3\n"),
+       "target_frequency belongs to 'target_amplitude'"},
       {joint("slider", along + slide + "stiffness = 1\ntarget_times = [0, 1]\n"),
        "target_times and target_values"},
       {joint("slider", along + slide + "stiffness = 1\ntarget_times = [0, 0]\ntarget_values = [1, 2]\n"),
