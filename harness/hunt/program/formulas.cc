@@ -74,6 +74,51 @@ fn value(s) {
   return far;
 }
 )"},
+    // v' = -mu g v/|v| until the box stands:  x = v t - mu g t^2/2 v/|v|,  t <= |v|/(mu g).
+    Formula{"slide", "m", false, Reduce::course, R"(
+fn worst_of(path) {
+  let v = start[0][0].v;
+  let slowed = ${friction} * norm(gravity[0]) / norm(v);
+  let worst = 0.0;
+  for (let k = 0; k <= steps; ++k) {
+    let t = min(k * dt, 1 / slowed);
+    let must = add(start[0][0].x, mul(t - 0.5 * slowed * t * t, v));
+    worst = max(worst, norm(sub(path[k][0].x, must)));
+  }
+  return worst;
+}
+)"},
+    // q = (cos(|w| t/2), sin(|w| t/2) w/|w|) q_0
+    Formula{"spin", "rad", false, Reduce::course, R"(
+fn evenly_turned(q, w, t) {
+  let rate = max(norm(w), 1e-300);
+  let c = cos(0.5 * rate * t);
+  let n = mul(sin(0.5 * rate * t) / rate, w);
+  return ${quaternion};
+}
+fn worst_of(path) {
+  let worst = 0.0;
+  for (let k = 0; k <= steps; ++k)
+    for (let i = 0; i < count; ++i) {
+      let must = evenly_turned(start[0][i].q, start[0][i].w, k * dt);
+      let apart = min(norm(sub(path[k][i].q, must)), norm(add(path[k][i].q, must)));
+      worst = max(worst, 4 * asin(min(1.0, apart / 2)));
+    }
+  return worst;
+}
+)"},
+    // v_n^2/2 + g h of the ball, three steps after the blow, is e^2 of what it was before.
+    Formula{"rebound", "m^2/s^2", false, Reduce::course, R"(
+fn energy(s, n, g) { return 0.5 * square(dot(n, s.v)) + g * (dot(n, s.x) - ${height}); }
+fn worst_of(path) {
+  let n = ${normal};
+  let g = -dot(gravity[0], n);
+  let before = energy(path[0][0], n, g);
+  let blow = (dot(n, start[0][0].v) + sqrt(2 * before)) / g;
+  let k = ceil((blow + 3 * dt) / dt);
+  return abs(energy(path[k][0], n, g) - ${restitution} * ${restitution} * before);
+}
+)"},
     Formula{"relation rotation", "m", false, Reduce::pair, R"(
 fn apart(one, other) { return norm(sub(other.x, turn(change, one.x))); }
 )"},
@@ -169,6 +214,10 @@ for (let k = 1; k <= steps; ++k) {
     case Reduce::sample:
       return R"(let path = run(0);
 let worst = value(path[${sample}]);
+)";
+    case Reduce::course:
+      return R"(let path = run(0);
+let worst = worst_of(path);
 )";
     case Reduce::pair:
       return R"(let path = run(0);

@@ -12,6 +12,7 @@ enum class Reduce {
   change,  ///< The largest change of the value since the start.
   rise,    ///< The largest rise above the least value so far that lasts more than one step.
   sample,  ///< At sample ${sample} alone.
+  course,  ///< The formula takes them all.
   pair     ///< Between the paths of the scene and of its restatement.
 };
 
@@ -20,7 +21,7 @@ struct Formula {
   std::string_view unit;
   bool vector;  ///< Of its value.
   Reduce reduce;
-  std::string_view text;  ///< fn value(s), or fn apart(one, other) of two states.
+  std::string_view text;  ///< fn value(s), fn worst_of(path), or fn apart(one, other) of two states.
 };
 
 std::span<const Formula> formulas();

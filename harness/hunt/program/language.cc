@@ -39,7 +39,7 @@ const Language cpp = {"cc",
 #include <valarray>
 #include <vector>
 
-using std::abs, std::asin, std::cos, std::max, std::min, std::sqrt;
+using std::abs, std::asin, std::ceil, std::cos, std::max, std::min, std::sin, std::sqrt;
 using V = std::valarray<double>;  // vectors (x, y, z) in world axes, quaternions (w, x, y, z) from body to world axes
 V add(const V& a, const V& b) { return a + b; }
 V sub(const V& a, const V& b) { return a - b; }
@@ -82,7 +82,7 @@ const Language javascript = {"mjs",
                              "]",
                              "[",
                              "]",
-                             R"(const {abs, asin, cos, max, min, sqrt} = Math;
+                             R"(const {abs, asin, ceil, cos, max, min, sin, sqrt} = Math;
 // Vectors [x, y, z] in world axes, quaternions [w, x, y, z] from body to world axes.
 const add = (a, b) => a.map((x, i) => x + b[i]);
 const sub = (a, b) => a.map((x, i) => x - b[i]);
@@ -144,13 +144,13 @@ std::string without_unused(std::string text, std::string_view helpers) {
   return text;
 }
 
-extern const Dialect bullet, ode, mujoco, simbody, dart, siconos, jolt, rapier, rapier_deterministic,
-    rapier_simd, mujoco3, havok, physx, crashcat, cannon;
+extern const Dialect bullet, bullet_multibody, ode, mujoco, simbody, dart, siconos, jolt, rapier,
+    rapier_deterministic, rapier_simd, mujoco3, havok, physx, crashcat, cannon;
 
 std::span<const Dialect* const> dialects() {
   static constexpr std::array all = {
-      &bullet,      &ode,     &mujoco, &simbody, &dart,     &siconos, &jolt, &rapier, &rapier_deterministic,
-      &rapier_simd, &mujoco3, &havok,  &physx,   &crashcat, &cannon};
+      &bullet, &bullet_multibody,     &ode,         &mujoco,  &simbody, &dart,  &siconos,  &jolt,
+      &rapier, &rapier_deterministic, &rapier_simd, &mujoco3, &havok,   &physx, &crashcat, &cannon};
   return all;
 }
 

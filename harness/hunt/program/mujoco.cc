@@ -154,7 +154,7 @@ const Dialect mujoco = {
     "  put(${i}, \"<geom ${shape}/>\");\n",
     "",
     "  put(-1, \"<geom type='plane' size='0 0 1' pos='\" + text(${foot}) + \"' quat='\" + "
-    "text(${turn_of_z}) + \"'/>\");\n",
+    "text(${long_turn_of_z}) + \"'/>\");\n",
     shapes,
     joints,
     settings,

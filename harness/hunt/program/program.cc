@@ -54,6 +54,19 @@ class Writer {
     words_["dt"] = Numbers::number(step_), words_["steps"] = std::to_string(steps_);
     say_scene(takes_, dialect_, words_);
     if (formula_.oracle == "penetration") words_["depths"] = depths(takes_[0], language_);
+    if (formula_.oracle == "spin")
+      words_["quaternion"] = fmt::format(
+          "{}c * q[0] - n[0] * q[1] - n[1] * q[2] - n[2] * q[3], c * q[1] + n[0] * q[0] + n[1] * q[3] - n[2] "
+          "* q[2], "
+          "c * q[2] + n[1] * q[0] + n[2] * q[1] - n[0] * q[3], c * q[3] + n[2] * q[0] + n[0] * q[2] - n[1] * "
+          "q[1]{}",
+          language_.open, language_.close);
+    if (formula_.oracle == "rebound") {
+      const core::Plane& plane = takes_[0].planes.at(0);
+      words_["normal"] = numbers_.vector(plane.normal);
+      words_["height"] =
+          Numbers::number(plane.offset + std::get<core::Sphere>(takes_[0].bodies.at(0).shape).radius);
+    }
     if (!required_.empty())
       words_["required"] =
           numbers_.list(required_, [&](const core::BodyState& b) { return numbers_.state(b); });
@@ -238,7 +251,10 @@ Written write_program(const Card& card, const process::EngineChoice& engine, con
   if (!card.fault.detail.empty()) return {std::nullopt, "the fault has no number"};
   const std::string name = process::describe(engine, limits).name;
   const auto all = dialects();
-  const auto dialect = std::ranges::find_if(all, [&](const Dialect* d) { return d->engine == name; });
+  // A row may have texts of its own, beside those of its engine.
+  auto dialect = std::ranges::find_if(all, [&](const Dialect* d) { return d->engine == engine.row.id; });
+  if (dialect == all.end())
+    dialect = std::ranges::find_if(all, [&](const Dialect* d) { return d->engine == name; });
   if (dialect == all.end()) return {std::nullopt, fmt::format("no table of texts for the API of {}", name)};
   const auto formula = std::ranges::find(formulas(), card.fault.oracle, &Formula::oracle);
   if (formula == formulas().end())

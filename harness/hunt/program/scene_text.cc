@@ -59,6 +59,12 @@ core::Quaternion turn_of_y(const Vector3& normal) {
   return core::Quaternion(turned);
 }
 
+// As the adapter of MuJoCo turns z to a normal, of any length: without roots, so that what lies on a plane touches it.
+core::Quaternion long_turn_of_z(const Vector3& n) {
+  if (n.z() > -0.5) return {1 + n.z(), -n.y(), n.x(), 0};
+  return {-n.y(), 1 - n.z(), 0, n.x()};
+}
+
 class Saying : private Numbers {
  public:
   Saying(const std::vector<Scene>& takes, const Dialect& dialect, Words& words)
@@ -123,7 +129,8 @@ class Saying : private Numbers {
                    {"foot", vector(Vector3(plane.offset * plane.normal))},
                    {"turn_of_x", vector(core::turn_between(Vector3::UnitX(), plane.normal))},
                    {"turn_of_y", vector(turn_of_y(plane.normal))},
-                   {"turn_of_z", vector(core::turn_between(Vector3::UnitZ(), plane.normal))}};
+                   {"turn_of_z", vector(core::turn_between(Vector3::UnitZ(), plane.normal))},
+                   {"long_turn_of_z", vector(long_turn_of_z(plane.normal))}};
     };
     std::string& out = words_["planes"];
     if (takes_.size() == 1)

@@ -7,6 +7,7 @@
 #include "harness/process/engine_table.h"
 #include "harness/scenario/scenario.h"
 #include "harness/study/cell.h"
+#include "harness/study/runner.h"
 #include "tests/paths.h"
 #include "tests/temporary_folder.h"
 
@@ -125,6 +126,27 @@ Trial falling_balls() {
   return over_floor(trial, 0.5, 0.3);
 }
 
+// For the oracles that have a motion of their own: level, from the floor and from above it.
+Trial on_level_floor(const core::Shape& shape, double height, const Vector3& v, double restitution,
+                     double friction) {
+  Trial trial{{}, 0.01, 25};
+  add(trial, shape, 1.3, {0.3, height, -0.2}, v, {0, 0, 0}, true);
+  trial.scene.bodies[0].initial.orientation = core::Quaternion::Identity();
+  trial.scene.planes = {core::Plane{"floor", Vector3::UnitY(), -0.2, {}, {}}};
+  trial.scene.materials = {core::Material{{"*", "*"}, restitution, friction}};
+  trial.scene.forces.emplace_back(core::UniformGravity{{0, -9.7, 0}});
+  return trial;
+}
+Trial sliding_box() { return on_level_floor(core::Box{{0.3, 0.1, 0.2}}, -0.1, {1.1, 0, -2.3}, 0, 0.4); }
+Trial dropped_ball() { return on_level_floor(core::Sphere{0.2}, 0.2, {0.4, -1, 0.3}, 0.7, 0); }
+
+Trial turning_balls() {
+  Trial trial{{}, 0.01, 20};
+  add(trial, core::Sphere{0.2}, 1.3, {0, 0.5, 0}, {0.5, 0, 0.2}, {30, 80, -20}, false);
+  add(trial, core::Sphere{0.3}, 2.1, {2, 0.5, 0}, {0, 0, 0}, {0, 0, 0}, false);
+  return trial;
+}
+
 Trial falling_box() {
   Trial trial{{}, 0.01, 60};
   add(trial, core::Box{{0.1, 0.3, 0.2}}, 1.3, {0, 0.6, 0}, {0.5, 0, 0.2}, {1, 2, 3}, true);
@@ -230,6 +252,18 @@ const Case cases[] = {
     {"cannon-es/path=stand-in", "joint gap", pendulum},
     {"cannon-es/path=stand-in", "energy from nowhere", springs},
     {"cannon-es/path=stand-in", "relation rotation", falling_box},
+    {"bullet-multibody", "slide", sliding_box},
+    {"bullet-multibody", "penetration", falling_box},
+    {"bullet-multibody", "place", damped_springs},
+    {"ode", "slide", sliding_box},
+    {"mujoco", "slide", sliding_box},
+    {"dart", "slide", sliding_box},
+    {"jolt", "slide", sliding_box},
+    {"rapier", "slide", sliding_box},
+    {"bullet", "spin", turning_balls},
+    {"jolt", "spin", turning_balls},
+    {"bullet/path=as-shipped", "rebound", dropped_ball},
+    {"crashcat/path=as-shipped", "rebound", dropped_ball},
     {"mujoco/path=as-expert", "place", damped_springs},
     {"mujoco", "energy", branches},
     {"mujoco/path=as-expert", "penetration", falling_box},
@@ -249,6 +283,13 @@ Card measured_by_cylon(const Case& c, std::size_t halved = 0) {
   card.signature = signature(card.fault, card.trial.scene);
   const auto oracle = std::ranges::find(oracles(), c.oracle, &Oracle::name);
   if (oracle == oracles().end()) return card;  // of a relation
+  if (oracle->read) {
+    process::RunOutcome last;
+    const core::Recording run = study::worker_runner(engine(c.engine), {}, &last)(
+        card.trial.scene, card.trial.step, card.trial.steps, 1);
+    card.fault.measured[0] = oracle->read(card.trial.scene, run).value().measured;
+    return card;
+  }
   card.fault.claim =
       fmt::format("[[claim]]\n{}\ntolerance = {{ absolute = 1e-3, reason = \"a test\" }}\n", oracle->claim);
   const scenario::Scenario scenario = scenario::parse(to_toml(card.trial, card.fault.claim), "test.toml");
