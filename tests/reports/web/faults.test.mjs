@@ -40,6 +40,7 @@ test('a hunt without a fault says what was asked, and opens the report', async (
   await said.waitFor();
   assert.match(await said.innerText(), /in-house: 2 scenes, 0 refused, no fault/);
   await page.getByRole('link', { name: 'Provenance' }).click();
+  await page.getByText('Hunt, file 1').waitFor();
   assert.match(await page.locator('main').innerText(), /Hunt, file 1\s+asked\s+in-house in 2 scenes/);
 });
 
