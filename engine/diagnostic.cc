@@ -29,8 +29,8 @@ const std::array<DiagnosticRow, static_cast<std::size_t>(DiagnosticKind::count)>
     {K::error_not_controlled, "error-not-controlled", "", "",
      "path stepping: {cause}; the error is not controlled"},
     {K::tolerance_missed, "tolerance-missed", "1", "1",
-     "auto: from t = {since} s on the tolerance {limit} is not reached: solutions at the two finest local "
-     "tolerances differ by up to {reached} of the scales of the motion (chaos or ill-conditioning)"},
+     "auto: from t = {since} s on the tolerance {limit} is not reached: solutions at {cause} "
+     "differ by up to {reached} of the scales of the motion (chaos or ill-conditioning)"},
     {K::last_not_compared, "last-not-compared", "1", "1",
      "auto: the sample at t = {since} s lies within a step of an impact: solutions at the two finest local "
      "tolerances differ by {reached} of the scales of the motion there, beside the tolerance {limit}"},

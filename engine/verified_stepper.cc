@@ -164,6 +164,7 @@ bool VerifiedStepper::loosen_far() {
     std::swap(fine, fine_);
     std::swap(coarse, coarse_);
     tolerance_ *= far;
+    loosened_ = true;
   }
   spent_ += fine->operations() + coarse->operations();
   return goes_on;
@@ -174,7 +175,9 @@ std::vector<Diagnostic> VerifiedStepper::diagnostics() const {
   DiagnosticLog log;
   const auto bound = static_cast<double>(bound_);
   if (missed_at_ >= 0)
-    log.note(DiagnosticKind::tolerance_missed, at(missed_at_), bound, static_cast<double>(worst_));
+    log.note(DiagnosticKind::tolerance_missed, at(missed_at_), bound, static_cast<double>(worst_),
+             loosened_ ? "larger local tolerances, taken where operations came to an end,"
+                       : "the two finest local tolerances");
   if (unknown_at_ >= 0)
     log.note(DiagnosticKind::tolerance_unknown, at(unknown_at_), bound);
   else if (missed_at_ < 0 && waiting_)

@@ -67,7 +67,8 @@ class VerifiedStepper final : public Stepper {
   Real worst_ = 0, last_ = 0;
   std::int64_t spent_ = 0;  // operations of runs that were given up
   std::shared_ptr<std::int64_t> reserve_;
-  bool waiting_ = false;  // for a sample away from an impact
+  bool loosened_ = false;  // by loosen_far()
+  bool waiting_ = false;   // for a sample away from an impact
 };
 
 }  // namespace cylon::engine

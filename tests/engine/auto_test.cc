@@ -207,6 +207,7 @@ TEST(Auto, TakesALargerToleranceWhereOperationsEnd) {
   const std::vector<Diagnostic> all = stepper.diagnostics();
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].kind, DiagnosticKind::tolerance_missed);
+  EXPECT_NE(sentence(all[0]).find("larger local tolerances"), std::string::npos);
   EXPECT_NEAR(static_cast<double>(all[0].since), 0.03, 1e-12);
   ASSERT_TRUE(all[0].reached);
   EXPECT_NEAR(*all[0].reached, 9e-7 / std::sqrt(14.),

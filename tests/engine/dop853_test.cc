@@ -119,7 +119,6 @@ TEST(Dop853, KeepsLongMotionsOfABody) {
   EXPECT_NEAR(TiedBody::orientation(y.data()).norm(), 1, 10 * std::numeric_limits<Real>::epsilon());
 }
 
-// One step of h: the dense output's error falls by 2^8 when h halves (order 7), at every place inside it.
 /// Oscillators whose rates come with an error of 1e-9 that the last bits of the state decide.
 struct Noisy : Oscillators {
   void rates(Time t, const Real* from, Real* rate) {
@@ -169,6 +168,7 @@ TEST(Dop853, WellConditionedRatesKeepTheTolerance) {
   }
 }
 
+// One step of h: the dense output's error falls by 2^8 when h halves (order 7), at every place inside it.
 TEST(Dop853, DenseOutputHasOrderSeven) {
   Oscillators system;
   const auto error = [&](double h, double place) {
