@@ -76,6 +76,8 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
       std::fill_n(y_.begin(), system_.size(), std::numeric_limits<Real>::quiet_NaN());
   }
 
+  /// Near a change point a sample is not as good as those before and after.
+  bool struck() const override { return integrator_.near_change(); }
   std::int64_t operations() const override { return Base::operations_of(integrator_.evaluations()); }
 
   std::vector<Diagnostic> diagnostics() const override {

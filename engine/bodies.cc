@@ -106,17 +106,22 @@ void Bodies::find_kinematics(const Motion* motion) {
   }
 }
 
-// The forces, and of bodies with one axis or a guide only what moves them.
 void Bodies::find_loads(Time t, const Motion* motion, Real* powers) {
   now_ = t;
   apply(model_.forces, t, model_.bodies, count_, motion, kinematics_.data(), loads_.data(), powers);
+  keep_what_moves();
+}
+
+// Of the loads on bodies with one axis or a guide.
+void Bodies::keep_what_moves() {
   for (std::size_t i = 0; i < count_; ++i) {
-    if (!model_.bodies[i].one_axis) continue;
-    const Vector3 axis = kinematics_[i].rotation * model_.bodies[i].axis;
-    loads_[i].torque = axis.dot(loads_[i].torque) * axis;
+    const Body& body = model_.bodies[i];
+    if (body.one_axis) {
+      const Vector3 axis = kinematics_[i].rotation * body.axis;
+      loads_[i].torque = axis.dot(loads_[i].torque) * axis;
+    }
+    if (body.guide) loads_[i].force = *body.guide * loads_[i].force;
   }
-  for (std::size_t i = 0; i < count_; ++i)
-    if (model_.bodies[i].guide) loads_[i].force = *model_.bodies[i].guide * loads_[i].force;
 }
 
 void Bodies::load(Time t, const Real* y) {
@@ -132,6 +137,25 @@ void Bodies::gather(const Motion* motion, bool rotors) {
   rows_.rows.clear();
   for (const Joint& joint : model_.joints) add_rows(joint, model_.bodies, motion, rows_.rows);
   if (rotors) add_rotor_rows(model_, motion, rows_.rows);
+}
+
+Real Bodies::weakest_alike(const Real* y) {
+  const Motion* motion = upright(y, true);
+  if (equals_.empty())
+    for (Body body : model_.bodies) {
+      const Real inverse = arm_ > 0 ? 1 / (arm_ * arm_) : Real(1);
+      if (body.inverse_mass > 0) body.inverse_mass = 1;
+      if (body.one_axis)
+        body.inverse_inertia = inverse * body.axis * body.axis.transpose();
+      else if (!body.locked)
+        body.inverse_inertia = inverse * Matrix3::Identity();
+      body.inverse_moments = body.one_axis ? Vector3(inverse, 0, 0) : Vector3(Vector3::Constant(inverse));
+      equals_.push_back(body);
+    }
+  gather(motion);
+  alike_.rows = rows_.rows;
+  alike_.measure(equals_, motion);
+  return alike_.weakest();
 }
 
 // The motions of all bodies, from a state that need not have those that are locked; `turned`: with unit
@@ -170,11 +194,13 @@ void Bodies::rates(Time t, const Real* y, Real* rate) {
   rate += extras_;
   if (holder_) {
     holder_->hold(t, model_.bodies, motion, kinematics_.data(), loads_.data());
+    keep_what_moves();
   } else if (constrained()) {
     for (std::size_t i = 0; i < count_; ++i)
       pull_ = std::max(pull_, loads_[i].force.norm() / model_.bodies[i].mass);
     gather(motion, true);
     rows_.constrain_accelerations(model_.bodies, motion, kinematics_.data(), loads_.data());
+    keep_what_moves();  // what joints bear among themselves grows without bound where they come to say the same
   }
   const bool turning = model_.frame.has_value();
   const Vector3 frame = turning ? model_.frame->angular_velocity : Vector3(Vector3::Zero());

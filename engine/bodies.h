@@ -57,6 +57,12 @@ class Bodies {
   /// What a user must know of the steps so far.
   std::vector<Diagnostic> diagnostics() const { return log_.all(); }
 
+  /// Of the joints at the last rates() or projection: how near their conditions are to saying the same for bodies of these
+  /// masses (Rows::weakest()), which light ones make them do.
+  Real weakest() const { return rows_.weakest(); }
+  /// The same for equal masses, at a state.
+  Real weakest_alike(const Real* y);
+
   /// Whether joints are kept as constraints.
   bool constrained() const { return !model_.joints.empty(); }
 
@@ -97,6 +103,7 @@ class Bodies {
   std::vector<Real> turn_rates(const Real* y);
   void count_turns(Real* y) const;
   void find_loads(Time, const Motion*, Real* powers);
+  void keep_what_moves();
   void add_momenta(Real factor, const std::vector<Load>&, Motion*) const;
   bool kick_by_series(Time t, Real h, Motion*);
   void move(Real h, Real* y);
@@ -127,7 +134,8 @@ class Bodies {
   std::vector<Real> spin_;                  // |L| of each body
   Real arm_ = 0;                            // From a centre of mass to a joint, the longest [m].
   Real pull_ = 0;                           // The largest |F|/m that joints have had to take up [m/s^2].
-  Rows rows_;
+  Rows rows_, alike_;
+  std::vector<Body> equals_;  // the bodies with equal masses
   Holder* holder_ = nullptr;
   DiagnosticLog log_;
   Time now_ = 0;  // of the last forces [s]

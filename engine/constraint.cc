@@ -37,8 +37,14 @@ void push(const Row& row, int body, Real sign, const Vector3& lever, const std::
           Motion* motion) {
   const Body& b = bodies[index(body)];
   if (b.locked) return;
-  if (!b.pinned) motion[index(body)].momentum += sign * row.lambda * row.direction;
-  motion[index(body)].angular_momentum += sign * row.lambda * lever;
+  Motion& m = motion[index(body)];
+  if (!b.pinned) m.momentum += sign * row.lambda * row.direction;
+  if (b.one_axis) {  // the joint that leaves it this axis bears the rest
+    const Vector3 axis = m.orientation * b.axis;
+    m.angular_momentum += sign * row.lambda * axis.dot(lever) * axis;
+  } else {
+    m.angular_momentum += sign * row.lambda * lever;
+  }
 }
 
 void push(const Row& row, const std::vector<Body>& bodies, Motion* motion) {

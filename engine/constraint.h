@@ -48,6 +48,9 @@ class Rows {
   /// Makes c'' = 0, and lambda = -rotor c'' on rows with a rotor: adds the forces and torques to the loads.
   void constrain_accelerations(const std::vector<Body>&, const Motion*, const Kinematics*, Load*);
 
+  /// How near the rows solved last are to saying the same: SparseFactor::weakest().
+  Real weakest() const { return factor_.weakest(); }
+
   /// Whether every |c| is below its rounding.
   bool closed() const;
 

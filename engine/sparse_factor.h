@@ -58,6 +58,9 @@ class SparseFactor {
   /// x <- A^-1 x, by the numbers of the rows; 0 for dependent rows.
   void solve(std::vector<Real>& x);
 
+  /// The least pivot of the last factor(), as a share of its diagonal, among rows that do not follow from others; 1: no rows.
+  Real weakest() const { return weakest_; }
+
   /// The entries of L, the diagonal included.
   std::size_t entries() const { return column_.size(); }
 

@@ -23,6 +23,15 @@ enum class Ending : unsigned char {
   non_finite       ///< The rates are not finite, however short the step.
 };
 
+/// A System that tells of the joints, at its last rates or projection, how near their conditions are to saying the same: sin^2
+/// of an angle between the motions that they forbid, 1 where there is nothing of the kind; and the same at a state, for bodies
+/// of equal masses.
+template <class S>
+concept Dependent = requires(S& s, const S& c, const Real* y) {
+  { c.weakest() } -> std::convertible_to<Real>;
+  { s.weakest_alike(y) } -> std::convertible_to<Real>;
+};
+
 /// E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I (2nd ed. 1993), II.5-II.6,
 /// and its program dop853.f: order 8, error estimates of orders 5 and 3, dense output of order 7.
 ///
@@ -40,18 +49,26 @@ enum class Ending : unsigned char {
 /// take_rounding() on it is measured, for each number of the state,
 ///   rounding_i = |f_i(t, y +- epsilon scale) - f_i(t, y)|,  the largest of late,
 /// and where these are more than `ill_conditioned` epsilon |f|, `weight` h rounding_i is no part of estimate_i of E5.
+///
+/// Where conditions of joints say the same for an instant (the bars of a parallelogram in line), the motion is smooth and
+/// its rates are rounding over the distance from there: steps that shorten until they meet the tolerance end at that point.
+/// The nodes of the method leave (1/3, 3/5) of a step free.  So a step that shortening helps in no way in which it helps a
+/// smooth motion, with conditions that nearly say the same (the System's weakest()), is made one that goes over the place:
+/// steps from the longest of late on, each four fifths of the one before, bring it into that gap.  Their errors are those
+/// of the settled motion: what a stage near the place makes of rounding, closing the joints takes away.  Nor does a step end
+/// so near to the place that closing the joints there would divide their rounding by next to nothing.
 template <System S>
 class Dop853 {
  public:
   /// tolerance: relative to the scales, per step; at least epsilon/2, less counts as that; the compensated
   /// sums make that worth asking for.
   Dop853(std::size_t size, Real tolerance)
-      : n_(size), tolerance_(std::max(tolerance, epsilon / 2)), memory_((stages + 7 + 8) * size) {
+      : n_(size), tolerance_(std::max(tolerance, epsilon / 2)), memory_((stages + 9 + 8) * size) {
     Real* at = memory_.data();
     const auto take = [&](std::size_t vectors) { return std::exchange(at, at + vectors * n_); };
     k_ = take(stages);
     y_ = take(1), next_ = take(1), stage_ = take(1), carry_ = take(1), scale_ = take(1), change_ = take(1);
-    rounding_ = take(1);
+    rounding_ = take(1), settled_ = take(1), weak_ = take(1);
     dense_ = take(8);
   }
 
@@ -78,8 +95,10 @@ class Dop853 {
   Ending step(S& s, Time limit) {
     assert(limit > end_);
     if (h_ == 0) h_ = first_step(s, limit - end_);
-    bool rejected = false;
-    bool measured = false;
+    bool rejected = false, measured = false;
+    Time longer = 0;    // the step tried before, which
+    double worse = 0;   // had this error
+    Crossing crossing;  // of a change point
     while (true) {
       const bool last = end_ + 1.01 * h_ >= limit;            // no sliver of a step is left over
       const Time t = last ? limit : end_ + h_, h = t - end_;  // the step that the time will show
@@ -88,29 +107,42 @@ class Dop853 {
         if (rejected) return finite_ ? Ending::step_too_small : Ending::non_finite;
       }
       take_stages(s, h);
-      double error = error_norm(s, h);
+      double error = crossing.step > 0 ? settled_error_norm(s, h) : error_norm(s, h);
       finite_ = std::isfinite(error);
       const bool within = error <= 1;
-      if (takes_rounding_ && finite_) {
+      if (takes_rounding_ && finite_ && crossing.step == 0) {
         if (!measured) measure_rounding(s);
         measured = true;
         error = std::max(error_norm(s, h, weight), std::min(error, 0.01));  // a step grows at most by half
       }
+      if (error <= crossing.most) {
+        near_change_ = near_change(s);
+        if (near_change_ && !last && ends_ill(s)) error = 2 * crossing.most;
+      }
       // error^(1/8 - 0.2 beta) / previous^beta / 0.9
       const double raw = finite_ ? std::pow(error, 0.125 - 0.2 * beta) : 10;
-      if (finite_ && error <= 1) {
+      if (finite_ && error <= crossing.most) {
         const double factor = raw / std::pow(previous_error_, beta) / 0.9;
         const Time wish = h / std::clamp(factor, 1.0 / 6, 3.0);
         // a step cut short by the limit says nothing against the longer one that was planned
         h_ = rejected ? std::min(wish, h) : last ? std::max(wish, std::min(h_, 6 * h)) : wish;
-        previous_error_ = std::max(error, 1e-4);
+        previous_error_ = std::clamp(error, 1e-4, 1.0);
         rounded_ = !within;
         accept(s, h, t);
         return Ending::done;
       }
       ++rejected_;
-      rejected = true;
       h_ = h / std::clamp(raw / 0.9, 1.1, finite_ ? 3.0 : 10.0);
+      if (crossing.step > 0) {
+        h_ = crossing.next(error);
+      } else if (crossing.least == 0) {
+        const double smooth = rejected ? worse * std::pow(h / longer, 4) : no_smooth_error;
+        if ((!(error < smooth) || 30 * h < usual_) && near_change(s)) {
+          crossing.step = usual_, crossing.least = h_;
+          std::swap(h_, usual_);
+        }
+      }
+      rejected = true, longer = h, worse = error;
     }
   }
 
@@ -134,28 +166,26 @@ class Dop853 {
   const Real* state() const { return y_; }  ///< At end().
   const Real* rates() const { return k_; }  ///< At end().
 
-  /// The state at any time of the last accepted step, begin() <= t <= end(); settled.  Costs three
-  /// evaluations the first time in a step.  contd8 of dop853.f:
-  ///   y = y_0 + s (c_1 + (1 - s)(c_2 + s (c_3 + (1 - s)(c_4 + s (c_5 + (1 - s)(c_6 + s c_7))))))
+  /// The state at any time of the last accepted step, begin() <= t <= end(); settled.  Costs three evaluations the first
+  /// time in a step.  Where settling would divide the rounding of closed joints by next to nothing, from states around:
+  ///   y(t) = (15 (y(t - d) + y(t + d)) - 6 (y(t - 2d) + y(t + 2d)) + y(t - 3d) + y(t + 3d))/20 + O(d^6)
   void at(S& s, Time t, Real* y) {
     if (t == end_ || begin_ == end_) {
       std::copy_n(y_, n_, y);
       return;
     }
     if (!dense_ready_) prepare_dense(s);
-    const Real x = static_cast<Real>((t - begin_) / (end_ - begin_)), r = 1 - x;
-    const Real* const c = dense_;
-    for (std::size_t i = 0; i < n_; ++i) {
-      Real sum = c[7 * n_ + i];
-      sum = c[6 * n_ + i] + x * sum;
-      sum = c[5 * n_ + i] + r * sum;
-      sum = c[4 * n_ + i] + x * sum;
-      sum = c[3 * n_ + i] + r * sum;
-      sum = c[2 * n_ + i] + x * sum;
-      sum = c[1 * n_ + i] + r * sum;
-      y[i] = c[i] + x * sum;
+    settled_at(s, t, y);
+    if constexpr (Dependent<S>) {
+      const Time d = step_ / 25;
+      if (!near_change_ || s.weakest() > ill_settled || t - 3 * d < begin_ || t + 3 * d > end_) return;
+      std::fill_n(y, n_, Real(0));
+      for (const int k : {-3, -2, -1, 1, 2, 3}) {
+        const Real part = std::abs(k) == 1 ? Real(0.75) : std::abs(k) == 2 ? Real(-0.3) : Real(0.05);
+        settled_at(s, t + k * d, settled_);
+        for (std::size_t i = 0; i < n_; ++i) y[i] += part * settled_[i];
+      }
     }
-    s.project(y);
   }
 
   /// From now on errors that rounding of the rates makes are taken.
@@ -168,6 +198,8 @@ class Dop853 {
   long rejected() const { return rejected_; }
   /// Whether the last step was taken with an error over the tolerance, because rounding makes it.
   bool rounded() const { return rounded_; }
+  /// Whether the last step went near a change point.
+  bool near_change() const { return near_change_; }
 
  private:
   static constexpr std::size_t stages = 16;
@@ -176,6 +208,31 @@ class Dop853 {
   static constexpr double weight = 6;
   static constexpr double ill_conditioned = 100;
   static constexpr Real kept = Real(0.98);  // of what was measured, from one measurement to the next
+  // Rows of joints that are so near to saying the same: sin^2 of an angle.
+  static constexpr Real least_share = Real(1) / 64;
+  // Settling errs by rounding over this: cbrt(epsilon).
+  static constexpr Real ill_settled = epsilon < Real(1e-10) ? Real(5e-6) : Real(5e-3);
+  // Of a step that the controller asks for: in a smooth motion it is less than 1.8 times too long.
+  static constexpr double no_smooth_error = 100;
+
+  // Steps over a change point that are tried, the longest first.  Where none meets the tolerance the best of them is taken,
+  // with an error of up to 10^6 tolerances: what comes nearer to the place is worse, or ends there.
+  struct Crossing {
+    Time step = 0, least = 0;  // that is tried, 0: none; and where the trials end
+    double most = 1;           // the error that is taken
+    Time best = 0;
+    double best_error = 1e6;
+
+    // After a step with this error.
+    Time next(double error) {
+      if (error < best_error) best = step, best_error = error;
+      const bool ends = step <= 1.25 * least;
+      const bool taken = ends && best > 0 && most == 1;
+      if (taken) most = 10 * best_error;  // it may round in another way
+      step = taken ? best : ends ? 0 : step / 1.25;
+      return step > 0 ? step : least;
+    }
+  };
 
   template <std::size_t I>
   struct Row {
@@ -195,9 +252,12 @@ class Dop853 {
     for (std::size_t i = 0; i < n_; ++i) stage_[i] = from[i] + dt * combination<C, I>(k_, n_, i);
     s.rates(t, stage_, rate);
     ++evaluations_;
+    if constexpr (Dependent<S>)
+      if (const Real now = s.weakest(); now < weakest_) weakest_ = now, std::copy_n(stage_, n_, weak_);
   }
 
   void take_stages(S& s, Time h) {
+    weakest_ = 1;
     [&]<std::size_t... I>(std::index_sequence<I...>) {
       (evaluate<Row<I + 1>, I + 1>(s, y_, end_ + dop853::nodes[I + 1] * h, h, k(I + 1)), ...);
     }
@@ -233,6 +293,48 @@ class Dop853 {
     }
     const double sum = e5 + 0.01 * e3;
     return sum == 0 ? 0 : h * e5 / std::sqrt(sum * static_cast<double>(n_));
+  }
+
+  // Whether a stage of the step was near a change point.
+  bool near_change(S& s) {
+    if constexpr (Dependent<S>) return weakest_ < least_share && s.weakest_alike(weak_) < least_share;
+    return false;
+  }
+
+  // Whether a step that ends at next_ could not be settled there.
+  bool ends_ill(S& s) {
+    if constexpr (Dependent<S>) {
+      std::copy_n(next_, n_, settled_);
+      s.project(settled_);
+      return s.weakest() < ill_settled;
+    }
+    return false;
+  }
+
+  // The same of what is left of the errors once the step is settled; settling leaves their square.
+  double settled_error_norm(S& s, Time h) {
+    const double plain = error_norm(s, h);
+    if (!std::isfinite(plain)) return plain;
+    std::copy_n(next_, n_, settled_);
+    s.project(settled_);
+    const auto left = [&](auto estimate) {
+      const Real dt = static_cast<Real>(h);
+      for (std::size_t i = 0; i < n_; ++i) stage_[i] = next_[i] - dt * estimate(i);
+      s.project(stage_);
+      double sum = 0;
+      for (std::size_t i = 0; i < n_; ++i) {
+        const double unit = h * static_cast<double>(tolerance_) * static_cast<double>(scale_[i]);
+        sum += std::pow((stage_[i] - settled_[i]) / unit, 2);
+      }
+      return sum;
+    };
+    const double e5 =
+        left([&](std::size_t i) { return combination<Entries<dop853::error5>, 12>(k_, n_, i); });
+    const double e3 =
+        left([&](std::size_t i) { return combination<Entries<dop853::error3>, 12>(k_, n_, i); });
+    const double sum = e5 + 0.01 * e3,
+                 first = sum == 0 ? 0 : h * e5 / std::sqrt(sum * static_cast<double>(n_));
+    return std::max(first, plain * plain * static_cast<double>(tolerance_));
   }
 
   // How much the rates move with the last digits of the state; no more than has been, where they move as those of a
@@ -300,11 +402,29 @@ class Dop853 {
     std::swap(y_, next_);
     s.rates(t, y_, k(12));
     ++evaluations_, ++accepted_;
-    step_ = h;
+    step_ = h, usual_ = std::max(h, 0.9 * usual_);
     begin_ = end_;
     end_ = t;
     dense_ready_ = false;
     std::copy_n(k(12), n_, k_);  // first of the next step; the dense output keeps its own
+  }
+
+  // contd8 of dop853.f:
+  //   y = y_0 + s (c_1 + (1 - s)(c_2 + s (c_3 + (1 - s)(c_4 + s (c_5 + (1 - s)(c_6 + s c_7))))))
+  void settled_at(S& s, Time t, Real* y) {
+    const Real x = static_cast<Real>((t - begin_) / (end_ - begin_)), r = 1 - x;
+    const Real* const c = dense_;
+    for (std::size_t i = 0; i < n_; ++i) {
+      Real sum = c[7 * n_ + i];
+      sum = c[6 * n_ + i] + x * sum;
+      sum = c[5 * n_ + i] + r * sum;
+      sum = c[4 * n_ + i] + x * sum;
+      sum = c[3 * n_ + i] + r * sum;
+      sum = c[2 * n_ + i] + x * sum;
+      sum = c[1 * n_ + i] + r * sum;
+      y[i] = c[i] + x * sum;
+    }
+    s.project(y);
   }
 
   // Stages 13 to 15 and the polynomial's coefficients.
@@ -336,11 +456,14 @@ class Dop853 {
   Real tolerance_;
   std::vector<Real> memory_;
   Real *k_ = nullptr, *y_ = nullptr, *next_ = nullptr, *stage_ = nullptr, *carry_ = nullptr;
-  Real *scale_ = nullptr, *change_ = nullptr, *dense_ = nullptr, *rounding_ = nullptr;
+  Real *scale_ = nullptr, *change_ = nullptr, *dense_ = nullptr, *rounding_ = nullptr, *settled_ = nullptr,
+       *weak_ = nullptr;
   Time begin_ = 0, end_ = 0, h_ = 0, step_ = 0;
+  Time usual_ = 0;  // the longest step of late
   double previous_error_ = 1e-4;
   bool dense_ready_ = false, finite_ = true;
-  bool takes_rounding_ = false, rounded_ = false;
+  bool takes_rounding_ = false, rounded_ = false, near_change_ = false;
+  Real weakest_ = 1;  // of the joints, at the stages of a step
   long evaluations_ = 0, accepted_ = 0, rejected_ = 0;
 };
 
