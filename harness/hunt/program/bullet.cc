@@ -1,5 +1,5 @@
 // Bullet's API, rigid bodies in double precision.
-#include "harness/hunt/program/dialect.h"
+#include "harness/hunt/program/bullet_shapes.h"
 
 namespace cylon::hunt::program {
 namespace {
@@ -54,13 +54,6 @@ std::vector<State> states() {
 }
 )";
 
-constexpr ShapeRow shapes[] = {
-    {"sphere", "new btSphereShape(${radius})"},
-    {"box", "sharp(new btBoxShape(btVector3(${x}, ${y}, ${z})))"},
-    {"capsule", "new btCapsuleShape(${radius}, ${length})"},
-    {"cylinder", "sharp(new btCylinderShape(btVector3(${radius}, ${length} / 2, ${radius})))"},
-};
-
 constexpr JointRow joints[] = {
     {JointType::ball,
      "  world->addConstraint(new btPoint2PointConstraint(*id[${a}], bt(${local_a})), true);\n",
@@ -105,7 +98,7 @@ const Dialect bullet = {
     "  id.push_back(add_body(body[${i}].m, body[${i}].I, start[take][${i}], new btEmptyShape, false));\n",
     "  add_body(0, V{0, 0, 0}, {V{0, 0, 0}, V{1, 0, 0, 0}, V{0, 0, 0}, V{0, 0, 0}}, "
     "new btStaticPlaneShape(bt(${normal_vector}), ${offset}), true);\n",
-    shapes,
+    bullet_shapes,
     joints,
     settings};
 

@@ -1,5 +1,5 @@
 // Bullet's API, bodies of reduced coordinates (btMultiBody) in double precision; without joints.
-#include "harness/hunt/program/dialect.h"
+#include "harness/hunt/program/bullet_shapes.h"
 
 namespace cylon::hunt::program {
 namespace {
@@ -57,13 +57,6 @@ std::vector<State> states() {
 }
 )";
 
-constexpr ShapeRow shapes[] = {
-    {"sphere", "new btSphereShape(${radius})"},
-    {"box", "sharp(new btBoxShape(btVector3(${x}, ${y}, ${z})))"},
-    {"capsule", "new btCapsuleShape(${radius}, ${length})"},
-    {"cylinder", "sharp(new btCylinderShape(btVector3(${radius}, ${length} / 2, ${radius})))"},
-};
-
 constexpr SettingRow settings[] = {
     {"stepSimulation", "(dt, 0)", Where::program, ""},
     {"combined restitution and friction", "", Where::program, ""},
@@ -104,7 +97,7 @@ const Dialect bullet_multibody = {
     "  add_body(body[${i}], start[take][${i}], nullptr);\n",
     "  world->addRigidBody(new btRigidBody(0, nullptr, new btStaticPlaneShape(bt(${normal_vector}), "
     "${offset})));\n",
-    shapes,
+    bullet_shapes,
     {},
     settings};
 
