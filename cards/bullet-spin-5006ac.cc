@@ -16,6 +16,8 @@ V sub(const V& a, const V& b) { return a - b; }
 V mul(double s, const V& a) { return s * a; }
 double dot(const V& a, const V& b) { return (a * b).sum(); }
 double norm(const V& a) { return sqrt(dot(a, a)); }
+V quaternion(double w, const V& v) { return {w, v[0], v[1], v[2]}; }
+V product(const V& p, const V& q) { return {p[0] * q[0] - p[1] * q[1] - p[2] * q[2] - p[3] * q[3], p[0] * q[1] + p[1] * q[0] + p[2] * q[3] - p[3] * q[2], p[0] * q[2] + p[2] * q[0] + p[3] * q[1] - p[1] * q[3], p[0] * q[3] + p[3] * q[0] + p[1] * q[2] - p[2] * q[1]}; }
 
 struct State { V x, q, v, w; };  // centre of mass [m], turn, velocity [m/s], spin [rad/s]
 struct Body { double m; V I; };  // mass [kg], moments about the axes of the body [kg m^2]
@@ -89,9 +91,7 @@ auto run(const auto& take) {
 
 auto evenly_turned(const auto& q, const auto& w, const auto& t) {
   auto rate = max(norm(w), 1e-300);
-  auto c = cos(0.5 * rate * t);
-  auto n = mul(sin(0.5 * rate * t) / rate, w);
-  return V{c * q[0] - n[0] * q[1] - n[1] * q[2] - n[2] * q[3], c * q[1] + n[0] * q[0] + n[1] * q[3] - n[2] * q[2], c * q[2] + n[1] * q[0] + n[2] * q[1] - n[0] * q[3], c * q[3] + n[2] * q[0] + n[0] * q[2] - n[1] * q[1]};
+  return product(quaternion(cos(0.5 * rate * t), mul(sin(0.5 * rate * t) / rate, w)), q);
 }
 auto worst_of(const auto& path) {
   auto worst = 0.0;

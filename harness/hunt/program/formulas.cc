@@ -92,9 +92,7 @@ fn worst_of(path) {
     Formula{"spin", "rad", false, Reduce::course, R"(
 fn evenly_turned(q, w, t) {
   let rate = max(norm(w), 1e-300);
-  let c = cos(0.5 * rate * t);
-  let n = mul(sin(0.5 * rate * t) / rate, w);
-  return ${quaternion};
+  return product(quaternion(cos(0.5 * rate * t), mul(sin(0.5 * rate * t) / rate, w)), q);
 }
 fn worst_of(path) {
   let worst = 0.0;

@@ -49,6 +49,8 @@ V cross(const V& a, const V& b) { return {a[1] * b[2] - a[2] * b[1], a[2] * b[0]
 double dot(const V& a, const V& b) { return (a * b).sum(); }
 double norm(const V& a) { return sqrt(dot(a, a)); }
 double square(double x) { return x * x; }
+V quaternion(double w, const V& v) { return {w, v[0], v[1], v[2]}; }
+V product(const V& p, const V& q) { return {p[0] * q[0] - p[1] * q[1] - p[2] * q[2] - p[3] * q[3], p[0] * q[1] + p[1] * q[0] + p[2] * q[3] - p[3] * q[2], p[0] * q[2] + p[2] * q[0] + p[3] * q[1] - p[1] * q[3], p[0] * q[3] + p[3] * q[0] + p[1] * q[2] - p[2] * q[1]}; }
 V turn(const V& q, const V& v) { V u = {q[1], q[2], q[3]}, t = mul(2, cross(u, v)); return v + q[0] * t + cross(u, t); }
 V back(const V& q, const V& v) { return turn({q[0], -q[1], -q[2], -q[3]}, v); }
 )",
@@ -93,6 +95,8 @@ const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
 const norm = (a) => sqrt(dot(a, a));
 const square = (x) => x * x;
 const across = (a) => { const k = a.map(abs).indexOf(min(...a.map(abs))), c = cross(a, [0, 1, 2].map((i) => (i === k ? 1 : 0))); return mul(1 / norm(c), c); };
+const quaternion = (w, v) => [w, ...v];
+const product = (p, q) => [p[0] * q[0] - p[1] * q[1] - p[2] * q[2] - p[3] * q[3], p[0] * q[1] + p[1] * q[0] + p[2] * q[3] - p[3] * q[2], p[0] * q[2] + p[2] * q[0] + p[3] * q[1] - p[1] * q[3], p[0] * q[3] + p[3] * q[0] + p[1] * q[2] - p[2] * q[1]];
 const turn = (q, v) => { const u = q.slice(1), t = mul(2, cross(u, v)); return add(add(v, mul(q[0], t)), cross(u, t)); };
 const back = (q, v) => turn([q[0], -q[1], -q[2], -q[3]], v);
 const record = (s) => [s], append = (path, s) => path.push(s);

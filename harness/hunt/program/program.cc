@@ -54,13 +54,6 @@ class Writer {
     words_["dt"] = Numbers::number(step_), words_["steps"] = std::to_string(steps_);
     say_scene(takes_, dialect_, words_);
     if (formula_.oracle == "penetration") words_["depths"] = depths(takes_[0], language_);
-    if (formula_.oracle == "spin")
-      words_["quaternion"] = fmt::format(
-          "{}c * q[0] - n[0] * q[1] - n[1] * q[2] - n[2] * q[3], c * q[1] + n[0] * q[0] + n[1] * q[3] - n[2] "
-          "* q[2], "
-          "c * q[2] + n[1] * q[0] + n[2] * q[1] - n[0] * q[3], c * q[3] + n[2] * q[0] + n[0] * q[2] - n[1] * "
-          "q[1]{}",
-          language_.open, language_.close);
     if (formula_.oracle == "rebound") {
       const core::Plane& plane = takes_[0].planes.at(0);
       words_["normal"] = numbers_.vector(plane.normal);
