@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace cylon::cli {
@@ -267,7 +268,12 @@ Selection select_unprepared(const Context& context, const Request& request) {
 
 void prepare(Selection& selection) {
   std::set<const scenario::Scenario*> used;
-  for (const study::Cell& cell : selection.cells) used.insert(cell.scenario);
+  std::map<std::string, const EngineChoice*> engines;
+  for (const study::Cell& cell : selection.cells) {
+    used.insert(cell.scenario);
+    engines.emplace(cell.engine.id, &cell.engine);
+  }
+  for (const auto& [id, engine] : engines) process::require_possible(*engine);
   std::erase_if(selection.scenarios, [&](const auto& scenario) { return !used.contains(scenario.get()); });
   for (const auto& scenario : selection.scenarios) scenario::prepare(*scenario);
 }

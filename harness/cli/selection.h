@@ -47,7 +47,8 @@ Selection select(const Context&, const Request&);
 /// The same before truths are solved: for those who leave some of the cells to others.
 Selection select_unprepared(const Context&, const Request&);
 
-/// Prepares the scenarios of the cells that are left, and drops the others.
+/// Prepares the scenarios of the cells that are left, and drops the others.  Throws core::InputError where an engine calls its
+/// path, integrator or an option impossible.
 void prepare(Selection&);
 
 }  // namespace cylon::cli

@@ -340,6 +340,16 @@ RunOutcome KeptWorkers::run(const EngineChoice& choice, const RunRequest& reques
   return sessions_.try_emplace(key, choice, limits).first->second.run(request);
 }
 
+void require_possible(const EngineChoice& choice) {
+  if (choice.id == choice.row.id) return;  // it states nothing
+  core::Scene scene;
+  scene.bodies.emplace_back().name = "body";
+  RunRequest request;
+  request.scene = &scene;
+  request.setup.dt = 1e-3;
+  run(choice, request, {.run_seconds = 10});
+}
+
 core::Engine describe(const EngineChoice& choice, const Limits& limits) try {
   Conversation worker(command_of(choice.row), limits.memory_bytes);
   core::Engine engine = introduce(worker, choice.row, limits.hello_seconds).engine;

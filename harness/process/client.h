@@ -61,6 +61,10 @@ struct RunOutcome {
 /// Interrupted soon after interrupted() is set; std::invalid_argument for a request outside its domain.
 RunOutcome run(const EngineChoice&, const RunRequest&, const Limits& = {});
 
+/// Throws core::InputError where the worker calls the choice's path, integrator or options impossible, Interrupted.  It loads
+/// one body and runs no step; whatever else goes wrong is for the run of a scene to say.
+void require_possible(const EngineChoice&);
+
 /// What an engine says of itself.  Throws Failure where it cannot, Interrupted.
 core::Engine describe(const EngineChoice&, const Limits& = {});
 

@@ -146,6 +146,7 @@ std::vector<Setting> settings(const scenario::Scenario& scenario, std::span<cons
     const process::EngineChoice choice = process::parse_engine(id, rows);
     try {
       const core::Engine engine = process::describe(choice);
+      process::require_possible(choice);
       const bool first_row = seen.insert(choice.row.command).second;
       const bool with_variants =
           request.engines.empty() || (request.searched && id.find('/') == std::string::npos);

@@ -1,6 +1,7 @@
 #include "harness/cli/commands/fingerprint.h"
 
 #include "harness/cli/command_line.h"
+#include "harness/process/client.h"
 #include "harness/process/interruption.h"
 #include "harness/scenario/glob.h"
 #include "harness/study/probes.h"
@@ -49,6 +50,7 @@ int fingerprint(const std::vector<process::EngineRow>& engines, const std::vecto
           return scenario::glob_match(id, choice.id);
         }))
       choices.push_back(process::parse_engine(id, engines));
+  for (const process::EngineChoice& choice : choices) process::require_possible(choice);
   const process::Interruptible until_told;
   ordered_json rows = ordered_json::array();
   bool whole = true;

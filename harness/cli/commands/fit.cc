@@ -10,6 +10,7 @@
 #include "harness/cli/workers.h"
 #include "harness/core/input_error.h"
 #include "harness/core/recording.h"
+#include "harness/process/client.h"
 #include "harness/process/engine_table.h"
 #include "harness/process/interruption.h"
 #include "harness/scenario/input.h"
@@ -179,6 +180,7 @@ int fit(const Context& context, const Options& options) {
       options.engines.empty() ? process::compared_engines() : options.engines;
   std::vector<process::EngineChoice> engines;
   for (const std::string& id : ids) engines.push_back(process::parse_engine(id, rows));
+  for (const process::EngineChoice& engine : engines) process::require_possible(engine);
 
   const process::Interruptible until_told;
   FitJournal journal(".cylon/fit.jsonl", options.resume);

@@ -10,6 +10,7 @@
 #include "harness/cli/workers.h"
 #include "harness/core/input_error.h"
 #include "harness/input/json.h"
+#include "harness/process/client.h"
 #include "harness/process/engine_table.h"
 #include "harness/process/interruption.h"
 #include "harness/study/parallel.h"
@@ -254,6 +255,7 @@ Task task_of(const Context& context, const Options& options) {
   const std::vector<std::string> fitted = engines_of(task.fits);
   for (const std::string& id : ids) {
     task.engines.push_back(process::parse_engine(id, rows));
+    process::require_possible(task.engines.back());
     if (!task.fits.empty() && std::ranges::find(fitted, task.engines.back().id) == fitted.end())
       throw core::InputError(fmt::format("{}: it has no fit of {}", options.fit, task.engines.back().id));
   }

@@ -292,6 +292,29 @@ TEST_F(CommandLine, ForeignFileHasNoExpectations) {
   EXPECT_EQ(cylon("run ./projectile.toml --engine ode").code, 0);
 }
 
+// What an engine calls impossible was a refusal of each scene, after all the others had run.
+TEST_F(CommandLine, MistakesInAnEnginesSettingsAreFoundBeforeAnythingRuns) {
+  const char* mistakes[][2] = {{"bullet/sover=nncg", "no option 'sover', did you mean 'solver'?"},
+                               {"bullet/solver=nncq", "did you mean 'nncg'?"},
+                               {"bullet/path=as-expret", "did you mean 'as-expert'?"},
+                               {"ode/integrator=semi-implicit-eular", "did you mean 'semi-implicit-euler'?"}};
+  for (const auto& [engine, says] : mistakes)
+    for (const char* command : {"run projectile", "trade projectile --rounds 0", "limits mass-ratio",
+                                "hunt --count 1", "engines --fingerprint"}) {
+      const std::string line = fmt::format(
+          "{} {} in-house {} {}", command, std::string(command).starts_with("engines") ? "" : "--engine",
+          std::string(command).starts_with("engines") ? "" : "--engine", engine);
+      const Ran ran = cylon(line);
+      EXPECT_EQ(ran.code, 2) << line << ran.err;
+      EXPECT_EQ(ran.out, "") << line;
+      EXPECT_NE(ran.err.find(says), std::string::npos) << line << ran.err;
+      EXPECT_EQ(std::ranges::count(ran.err, '\n'), 1) << line << ran.err;
+    }
+  EXPECT_FALSE(std::filesystem::exists(folder / ".cylon/journal.jsonl"));
+  EXPECT_EQ(cylon("run projectile --engine in-house --engine bullet/solver=nncg --brief").code, 1);
+  EXPECT_TRUE(std::filesystem::exists(folder / ".cylon/journal.jsonl"));
+}
+
 TEST_F(CommandLine, RerunFailedAndResumeRememberTheRequest) {
   EXPECT_EQ(cylon("run --rerun-failed").code, 4);
   EXPECT_EQ(cylon("run projectile --engine ode --engine in-house --dt 0.1").code, 1);
