@@ -7,6 +7,7 @@
 #include "harness/cli/identity_of.h"
 #include "harness/cli/options.h"
 #include "harness/cli/output.h"
+#include "harness/cli/resumed.h"
 #include "harness/cli/workers.h"
 #include "harness/core/input_error.h"
 #include "harness/core/recording.h"
@@ -184,7 +185,7 @@ int fit(const Context& context, const Options& options) {
 
   const process::Interruptible until_told;
   FitJournal journal(".cylon/fit.jsonl", options.resume);
-  if (options.resume) std::cerr << fmt::format("resumed: {} evaluations are done already\n", journal.known());
+  if (options.resume) std::cerr << resumed(journal.known(), "evaluation");
   out << plain_line(fmt::format("{}: {} of {} runs, windows of {:g} s", e.title, e.runs.size(), measured_runs,
                                 e.fit.horizon))
       << '\n';

@@ -6,6 +6,7 @@
 #include "harness/cli/journal.h"
 #include "harness/cli/options.h"
 #include "harness/cli/output.h"
+#include "harness/cli/resumed.h"
 #include "harness/cli/workers.h"
 #include "harness/process/client.h"
 #include "harness/process/engine_table.h"
@@ -294,7 +295,7 @@ int limits(const Context& context, const Options& options) {
   LimitsJournal journal(journal_file("limits", shard), part, options.resume);
   if (shard && !journal.is_open())
     throw core::InputError("a shard is its journal, and there is none: nothing was run");
-  if (options.resume && !(shard && shard->farm)) std::cerr << fmt::format("resumed: {} searches are done already\n", journal.known());
+  if (options.resume && !(shard && shard->farm)) std::cerr << resumed(journal.known(), "search", "searches");
   const process::Interruptible until_told;
   const Searched found = search_all(tasks, units, worker_count(context, options.jobs),
                                     {.run_seconds = options.timeout}, journal, next_of(shard, units.size()));

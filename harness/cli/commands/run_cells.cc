@@ -68,8 +68,9 @@ study::Matrix run_cells(const Context& context, const RunOptions& options,
     }
   }
   if (resume)
-    std::cerr << fmt::format("resumed: {} of {} cells are done already\n", cells.size() - todo.size(),
-                             cells.size());
+    std::cerr << (last.request ? fmt::format("resumed: {} of {} cells are done already\n",
+                                             cells.size() - todo.size(), cells.size())
+                               : "nothing to resume: this folder has no earlier run; all cells run\n");
 
   Progress progress(context.progress, to_run.size());
   const study::Pool pool{.workers = worker_count(context, options.jobs),

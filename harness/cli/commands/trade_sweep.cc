@@ -4,6 +4,7 @@
 #include "harness/cli/farm.h"
 #include "harness/cli/output.h"
 #include "harness/cli/provenance_now.h"
+#include "harness/cli/resumed.h"
 #include "harness/cli/scenario_view.h"
 #include "harness/cli/timed_cores.h"
 #include "harness/core/input_error.h"
@@ -38,7 +39,8 @@ class Progress {
     if (on_)
       std::cerr << '\r'
                 << plain_line(fmt::format("{}: {} runs, {} timings; {} {} at {}", scenario_, runs_, timings_,
-                                          setting.engine.id, setting.integrator.name, point.dt_text))
+                                          setting.engine.id, setting.integrator.name,
+                                          point.dt_text))
                 << "\x1b[K" << std::flush;
   }
 
@@ -103,8 +105,7 @@ int sweep_each(const Context& context, const SweepRequest& request,
   TradeJournal journal(journal_file(request.command, shard), part, request.resume);
   if (shard && !journal.is_open())
     throw core::InputError("a shard is its journal, and there is none: nothing was run");
-  if (request.resume && !(shard && shard->farm))
-    std::cerr << fmt::format("resumed: {} runs are done already\n", journal.known());
+  if (request.resume && !(shard && shard->farm)) std::cerr << resumed(journal.known(), "run");
   std::vector<results::TradeTable> tables;
   std::vector<std::string> failed;                   // scenarios in which the harness itself failed
   std::optional<process::Interruptible> until_told;  // not while there is nothing to tell

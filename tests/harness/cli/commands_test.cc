@@ -315,6 +315,18 @@ TEST_F(CommandLine, MistakesInAnEnginesSettingsAreFoundBeforeAnythingRuns) {
   EXPECT_TRUE(std::filesystem::exists(folder / ".cylon/journal.jsonl"));
 }
 
+TEST_F(CommandLine, ResumeSaysWhereThereWasNothing) {
+  const char* commands[] = {"run projectile --engine in-house --brief",
+                            "trade projectile --engine in-house --rounds 0 --steps 1 --tolerance 1e-3"};
+  for (const std::string command : commands) {
+    const Ran first = cylon(command + " --resume"), second = cylon(command + " --resume");
+    EXPECT_NE(first.err.find("nothing to resume"), std::string::npos) << command << first.err;
+    EXPECT_EQ(first.err.find("resumed:"), std::string::npos) << command << first.err;
+    EXPECT_NE(second.err.find("resumed:"), std::string::npos) << command << second.err;
+    EXPECT_EQ(second.err.find("nothing to resume"), std::string::npos) << command << second.err;
+  }
+}
+
 TEST_F(CommandLine, RerunFailedAndResumeRememberTheRequest) {
   EXPECT_EQ(cylon("run --rerun-failed").code, 4);
   EXPECT_EQ(cylon("run projectile --engine ode --engine in-house --dt 0.1").code, 1);
