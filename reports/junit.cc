@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <tuple>
 
 namespace cylon::reports {
 namespace {
@@ -49,25 +51,40 @@ std::string element(const Verdict& v) {
   return "";
 }
 
-std::string testcase(const Verdict& v) {
+// The claims of one run share its time: the first has it, so that sums are those of the runs.
+using Times = std::map<const Verdict*, double>;
+
+Times times_of(const std::vector<Verdict>& verdicts) {
+  Times times;
+  std::set<std::tuple<std::string, std::string, std::string, std::string>> runs;
+  for (const Verdict& v : verdicts) {
+    const bool first = runs.emplace(v.scenario, v.engine, v.integrator, v.dt_text).second;
+    times[&v] = first && std::isfinite(v.cpu_seconds) ? v.cpu_seconds : 0;
+  }
+  return times;
+}
+
+std::string testcase(const Verdict& v, double seconds) {
   std::string integrator = v.integrator.empty() ? "" : ", " + v.integrator;
   if (v.tolerance_scale != 1) integrator += fmt::format(", all tolerances times {:g}", v.tolerance_scale);
   const std::string errors =
       v.complaints.empty() ? "" : fmt::format("<system-err>{}</system-err>", xml(v.complaints));
   return fmt::format(
       "    <testcase classname=\"{}.{}\" name=\"{} [dt {}{}]\" time=\"{:.6f}\">{}{}</testcase>\n",
-      xml(v.scenario), xml(v.engine), xml(v.claim), xml(v.dt_text), xml(integrator),
-      std::isfinite(v.cpu_seconds) ? v.cpu_seconds : 0, element(v), errors);
+      xml(v.scenario), xml(v.engine), xml(v.claim), xml(v.dt_text), xml(integrator), seconds, element(v),
+      errors);
 }
 
 using Rows = std::vector<const Verdict*>;
 
-std::string counts(const Rows& rows) {
+std::string counts(const Rows& rows, const Times& times) {
   const auto count = [&](Outcome wanted) {
     return std::count_if(rows.begin(), rows.end(), [&](const Verdict* v) { return outcome(*v) == wanted; });
   };
-  return fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\"", rows.size(),
-                     count(Outcome::failed), count(Outcome::broken), count(Outcome::skipped));
+  double seconds = 0;
+  for (const Verdict* v : rows) seconds += times.at(v);
+  return fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" time=\"{:.6f}\"", rows.size(),
+                     count(Outcome::failed), count(Outcome::broken), count(Outcome::skipped), seconds);
 }
 
 }  // namespace
@@ -83,11 +100,12 @@ std::string to_junit(const std::vector<Verdict>& verdicts) {
     all.push_back(&v);
   }
 
+  const Times times = times_of(verdicts);
   std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
-  out += fmt::format("<testsuites name=\"cylon\" {}>\n", counts(all));
+  out += fmt::format("<testsuites name=\"cylon\" {}>\n", counts(all, times));
   for (const auto& [scenario, rows] : suites) {
-    out += fmt::format("  <testsuite name=\"{}\" {}>\n", xml(scenario), counts(rows));
-    for (const Verdict* v : rows) out += testcase(*v);
+    out += fmt::format("  <testsuite name=\"{}\" {}>\n", xml(scenario), counts(rows, times));
+    for (const Verdict* v : rows) out += testcase(*v, times.at(v));
     out += "  </testsuite>\n";
   }
   return out + "</testsuites>\n";

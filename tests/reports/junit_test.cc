@@ -165,6 +165,24 @@ TEST(Junit, OneSuitePerScenarioEvenWhenRowsInterleave) {
   EXPECT_EQ(xml.attributes[1]["tests"], "2");
 }
 
+// Each claim of a run had the time of the whole: sums were several times what was spent.
+TEST(Junit, ClaimsOfARunShareItsTime) {
+  std::vector<Verdict> rows(5, make(Status::pass, Status::pass));
+  for (Verdict& v : rows) v.cpu_seconds = 0.5;
+  rows[2].dt_text = "1/240";        // another run
+  rows[3].dt_text = "1/240";        // its second claim
+  rows[4].scenario = "projectile";  // a third run, in another suite
+  const std::string text = to_junit(rows);
+  Checker xml(text);
+  ASSERT_TRUE(xml.well_formed()) << text;
+  std::map<std::string, std::vector<std::string>> times;
+  for (auto& attributes : xml.attributes) times[attributes[""]].push_back(attributes["time"]);
+  const std::string half = "0.500000", nothing = "0.000000";
+  EXPECT_EQ(times["testcase"], (std::vector<std::string>{half, nothing, half, nothing, half}));
+  EXPECT_EQ(times["testsuite"], (std::vector<std::string>{"1.000000", half}));
+  EXPECT_EQ(times["testsuites"], std::vector<std::string>{"1.500000"});
+}
+
 TEST(Junit, EscapesHostileTexts) {
   const std::vector<std::string> hostile = {"</testcase><script>alert(1)</script>",
                                             "]]>",
