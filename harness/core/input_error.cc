@@ -23,6 +23,18 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+// "bouncing_sphere" for "bounce": the first with the longest common beginning, of at least four letters and most of the word.
+const std::string* same_beginning(std::string_view word, std::span<const std::string> candidates) {
+  const std::string* best = nullptr;
+  std::size_t most = std::max<std::size_t>(4, (3 * word.size() + 3) / 4) - 1;
+  for (const std::string& candidate : candidates) {
+    const auto differs = std::ranges::mismatch(word, candidate).in1;
+    const auto common = static_cast<std::size_t>(differs - word.begin());
+    if (common > most) best = &candidate, most = common;
+  }
+  return best;
+}
+
 constexpr std::size_t longest_message = 2000;  // [bytes]: a hostile file may have a key of megabytes
 
 // Cut before a character of UTF-8.
@@ -62,6 +74,7 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> can
     const std::size_t reach = std::max<std::size_t>(2, std::max(word.size(), candidate.size()) / 3);
     if (distance <= reach && (!best || distance < least)) best = &candidate, least = distance;
   }
+  if (!best) best = same_beginning(word, candidates.first(std::min(candidates.size(), most_candidates)));
   return best ? fmt::format(", did you mean '{}'?", *best) : "";
 }
 

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 namespace cylon::scenario {
 namespace {
@@ -61,6 +62,28 @@ std::string read_file(const std::filesystem::path& path) {
   return text;
 }
 
+namespace {
+
+// "; write 0.0005" of "0.5 ms", as steps are printed; "" of what has no unit.
+std::string without_unit(std::string_view text) {
+  constexpr std::pair<std::string_view, double> units[] = {
+      {"ms", 1e-3}, {"us", 1e-6}, {"µs", 1e-6}, {"s", 1}};
+  for (const auto& [unit, scale] : units) {
+    if (!text.ends_with(unit)) continue;
+    std::string_view number = text.substr(0, text.size() - unit.size());
+    while (number.ends_with(' ')) number.remove_suffix(1);
+    const std::size_t slash = number.find('/');
+    if (scale == 1 && slash != std::string_view::npos && real(number.substr(0, slash)) &&
+        real(number.substr(slash + 1)))
+      return fmt::format("; write {}", number);
+    const auto value = real(number);
+    return value ? fmt::format("; write {:.15g}", *value * scale) : "";
+  }
+  return "";
+}
+
+}  // namespace
+
 double parse_step(std::string_view text, std::string_view option) {
   const auto slash = text.find('/');
   const auto top = real(text.substr(0, slash));
@@ -68,8 +91,8 @@ double parse_step(std::string_view text, std::string_view option) {
   const double step = top && bottom ? *top / *bottom : std::nan("");
   if (!(step > 0) || !std::isfinite(step))
     throw core::InputError(
-        fmt::format("{}{}'{}' is no step; valid: a number > 0 of seconds, or a fraction like 1/60", option,
-                    option.empty() ? "" : ": ", text));
+        fmt::format("{}{}'{}' is no step; valid: a number > 0 of seconds, or a fraction like 1/60{}", option,
+                    option.empty() ? "" : ": ", text, without_unit(text)));
   return step;
 }
 

@@ -91,8 +91,23 @@ void refuse_unknown_command(const std::string& word) {
   std::vector<std::string> names;
   for (const App::Row& row : commands) names.emplace_back(row.name);
   if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
+  if (word == "help")
+    throw core::InputError(
+        "'help' is no command: write `cylon --help`, or `cylon COMMAND --help` of one command");
   throw core::InputError(fmt::format("unknown command '{}'{} (commands: {})", word,
                                      core::did_you_mean(word, names), fmt::join(names, ", ")));
+}
+
+// The library says no more than a name: "b is required".
+std::string missing_in(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::App* one : command.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(one->get_name());
+  if (!names.empty()) return fmt::format("a command is missing (commands: {})", fmt::join(names, ", "));
+  for (const CLI::Option* option : command.get_options())
+    if (option->get_required() && option->count() == 0)
+      return fmt::format("{} is missing: {}", option->get_name(), option->get_description());
+  return "";
 }
 
 // What the library says of a command line that it cannot take, with the nearest option.
@@ -105,6 +120,9 @@ std::string complaint_of(const CLI::App& app, const CLI::ParseError& error) {
   }
   const CLI::App& command = *deepest;
   std::string message = error.what();
+  if (const std::string missing = missing_in(command);
+      error.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError) && !missing.empty())
+    message = fmt::format("{}: {}", name, missing);
   if (const auto extra = app.remaining(true); !extra.empty()) {
     const std::string word = extra.front().substr(0, extra.front().find('='));
     message = fmt::format("{}: unexpected '{}'{}", name, extra.front(),

@@ -189,7 +189,7 @@ TEST_F(History, RejectsUnknownNames) {
   const Row rows[] = {
       {"ack " + near, 2, "did you mean '" + id + "'?"},
       {"ignore " + near, 2, "did you mean '" + id + "'?"},
-      {"ack", 2, "id is required"},
+      {"ack", 2, "id is missing"},
       {"history --metric cpu_secnds", 4,
        "no metric 'cpu_secnds' in the history, did you mean 'cpu_seconds'?"},
       {"history --scenario bonce", 4, "no scenario 'bonce' in the history, did you mean 'bounce'?"},
