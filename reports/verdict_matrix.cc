@@ -60,6 +60,12 @@ class Labels {
     return labels;
   }
 
+  std::vector<std::string> firsts() const {
+    std::vector<std::string> labels;
+    for (const auto& [first, second] : order_) labels.push_back(first);
+    return labels;
+  }
+
   std::map<std::pair<std::string, std::string>, std::size_t> index() const {
     std::map<std::pair<std::string, std::string>, std::size_t> index;
     for (std::size_t i = 0; i < order_.size(); ++i) index[order_[i]] = i;
@@ -84,6 +90,28 @@ void join(Cell& cell, const Verdict& v) {
 }
 
 bool is_refused(const Cell& cell) { return !cell.empty && cell.worst == Status::unsupported; }
+
+// In order of first appearance.
+std::vector<std::string> distinct(const std::vector<std::string>& texts) {
+  std::vector<std::string> out;
+  for (const std::string& text : texts)
+    if (std::ranges::find(out, text) == out.end()) out.push_back(text);
+  return out;
+}
+
+// Scenes that the engine was asked to run, and how many of them it ran at every step and with every integrator.
+struct Scenes {
+  std::size_t ran = 0, asked = 0;
+};
+Scenes scenes_of(const Matrix& matrix, const std::string& engine) {
+  std::map<std::string, bool> ran;
+  for (std::size_t i = 0; i < matrix.cells.size(); ++i)
+    for (std::size_t j = 0; j < matrix.engine_of.size(); ++j)
+      if (const Cell& cell = matrix.cells[i][j]; matrix.engine_of[j] == engine && !cell.empty)
+        ran.try_emplace(matrix.scene_of[i], true).first->second &= !is_refused(cell);
+  const auto all = std::ranges::count_if(ran, [](const auto& scene) { return scene.second; });
+  return {static_cast<std::size_t>(all), ran.size()};
+}
 
 void mark_avoidable(std::vector<Cell>& row, const std::vector<std::string>& engines) {
   for (Cell& cell : row) {
@@ -134,7 +162,11 @@ Matrix fold(const std::vector<Verdict>& verdicts) {
     scenarios.add(v.scenario, v.dt_text);
     engines.add(v.engine, integrator(v));
   }
-  Matrix matrix{scenarios.text(), engines.text(), {}};
+  Matrix matrix{.scenarios = scenarios.text(),
+                .engines = engines.text(),
+                .cells = {},
+                .scene_of = scenarios.firsts(),
+                .engine_of = engines.firsts()};
   matrix.cells.assign(scenarios.size(), std::vector<Cell>(engines.size()));
   const auto row = scenarios.index(), column = engines.index();
   for (const Verdict& v : verdicts)
@@ -193,29 +225,29 @@ std::string draw(const Matrix& matrix, const ConsoleOptions& options) {
 }
 
 std::string refusals(const Matrix& matrix, const ConsoleOptions& options) {
-  std::string counts, avoidable;
-  bool all = true;
-  for (std::size_t j = 0; j < matrix.engines.size(); ++j) {
-    std::size_t asked = 0, run = 0;
-    for (std::size_t i = 0; i < matrix.scenarios.size(); ++i) {
-      const Cell& cell = matrix.cells[i][j];
-      asked += !cell.empty, run += !cell.empty && !is_refused(cell);
-      if (!cell.passed_by.empty())
+  std::string avoidable;
+  for (std::size_t j = 0; j < matrix.engines.size(); ++j)
+    for (std::size_t i = 0; i < matrix.scenarios.size(); ++i)
+      if (const Cell& cell = matrix.cells[i][j]; !cell.passed_by.empty())
         avoidable += shown(fmt::format("  {}: {}, which {} {}", matrix.engines[j], matrix.scenarios[i],
                                        fmt::join(cell.passed_by, ", "),
                                        cell.passed_by.size() == 1 ? "passes" : "pass"),
                            options) +
                      '\n';
-    }
-    all &= run == matrix.scenarios.size();
-    counts += fmt::format("{}{} {} of {}", counts.empty() ? "" : ", ", shown(matrix.engines[j], options), run,
-                          asked);
+
+  const std::size_t scenes = distinct(matrix.scene_of).size();
+  const std::vector<std::string> engines = distinct(matrix.engine_of);
+  if (engines.empty()) return "";
+  std::string counts;
+  bool all = engines.size() > 1;
+  for (const std::string& engine : engines) {
+    const auto [ran, asked] = scenes_of(matrix, engine);
+    all &= ran == scenes;
+    counts += fmt::format("{}{} {} of {}", counts.empty() ? "" : ", ", shown(engine, options), ran, asked);
   }
-  if (counts.empty()) return "";
-  const std::size_t n = matrix.engines.size();
-  std::string out = all ? fmt::format("scenes supported: all {} by {}\n", matrix.scenarios.size(),
-                                      n == 1 ? "the engine" : fmt::format("each of {} engines", n))
-                        : fmt::format("scenes supported: {}\n", counts);
+  std::string out =
+      all ? fmt::format("scenes supported: all {} by each of {} engines\n", scenes, engines.size())
+          : fmt::format("scenes supported: {}\n", counts);
   if (!avoidable.empty()) out += "refused, though another engine passes:\n" + avoidable;
   return out;
 }

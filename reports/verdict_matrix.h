@@ -27,6 +27,8 @@ struct Cell {
 struct Matrix {
   std::vector<std::string> scenarios, engines;
   std::vector<std::vector<Cell>> cells;  ///< [scenario][engine]
+  std::vector<std::string> scene_of;     ///< Of each row.
+  std::vector<std::string> engine_of;    ///< Of each column.
 };
 
 Matrix fold(const std::vector<results::Verdict>&);
@@ -37,7 +39,7 @@ std::string cell_text(const Cell&, const ConsoleOptions&);
 /// The matrix as text; where the terminal is too narrow for all engines, in blocks of columns.
 std::string draw(const Matrix&, const ConsoleOptions&);
 
-/// How many rows each engine runs at all, and each refusal of a row that another engine passes: an engine
+/// How many scenes each engine runs at every step and with every integrator that was asked, and each refusal of a row that another engine passes: an engine
 /// that refuses has not passed.
 std::string refusals(const Matrix&, const ConsoleOptions&);
 

@@ -175,6 +175,27 @@ TEST(Matrix, RefusalIsAvoidableWhereAnotherEnginePasses) {
                        "scenes supported: bullet 0 of 1, ode 1 of 1\n"));
 }
 
+// Rows are scenes at a step, columns engines with an integrator: both were counted.
+TEST(Matrix, ScenesAndEnginesAreCountedOnce) {
+  const auto of = [](const char* engine, const char* integrator, const char* step, Status status) {
+    Verdict v = make("top", engine, status, 1e-3);
+    v.integrator = integrator, v.dt_text = step;
+    return v;
+  };
+  const auto said = [](const std::vector<Verdict>& verdicts) { return refusals(fold(verdicts), plain); };
+  std::vector<Verdict> runs;
+  for (const char* integrator : {"rk4", "euler"})
+    for (const char* step : {"1/60", "1/120", "1/240"})
+      runs.push_back(of("in-house", integrator, step, Status::pass));
+  EXPECT_EQ(said(runs), "scenes supported: in-house 1 of 1\n");
+  runs.push_back(of("ode", "euler", "1/60", Status::pass));
+  EXPECT_EQ(said(runs), "scenes supported: all 1 by each of 2 engines\n");
+  runs[4].status = Status::unsupported;  // at one step, with one integrator
+  EXPECT_EQ(said(runs),
+            "scenes supported: in-house 0 of 1, ode 1 of 1\nrefused, though another engine passes:\n"
+            "  in-house euler: top 1/120, which in-house rk4 passes\n");
+}
+
 // An engine that tells no contact forces runs the scene all the same.
 TEST(Matrix, ClaimWithoutAnswerIsNoRefusal) {
   const auto of = [](Status status) { return make("slab", "bullet", status, 1e-3); };
