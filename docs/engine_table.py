@@ -156,7 +156,8 @@ def main():
 # ---- The table --------------------------------------------------------------------------------------------
 
 def milliseconds(seconds):
-    return f"{1e3 * seconds:.2g}"
+    text = f"{1e3 * seconds:.2g}"
+    return text if "e+" not in text else f"{1e3 * seconds:.0f}"
 
 
 def one_error(reach):

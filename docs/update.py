@@ -48,6 +48,10 @@ def digits(verdict):
     return math.log10(verdict["allowed"] / verdict["measured"]) if verdict["allowed"] else -99.0
 
 
+def digits_text(digits):
+    return "exact" if digits >= 99 else f"{max(-99, digits):+.1f}"
+
+
 MARKS = {"pass": "✓", "undecided": "?", "low-quality": "~", "fail": "✗", "unsupported": "–", "non-finite": "∞"}
 
 
@@ -65,7 +69,7 @@ def matrix(cylon, suite="conformance", *engines):
             worst = min([v for v in rows if v["status"] != "unsupported"] or rows, key=digits)
             measured = worst["status"] in ("pass", "undecided", "low-quality", "fail")
             cells.append(MARKS.get(worst["status"], worst["status"]) +
-                         (f" {min(99, max(-99, digits(worst))):+.1f}" if measured else "") +
+                         (f" {digits_text(digits(worst))}" if measured else "") +
                          (" =" if any(v["closed_form"] for v in rows) else ""))
         lines.append(f"| {scenario} | " + " | ".join(cells) + " |")
     return "\n".join(lines)

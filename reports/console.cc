@@ -1,5 +1,7 @@
 #include "reports/console.h"
 
+#include "harness/results/digits_text.h"
+#include "harness/results/duration.h"
 #include "harness/results/substeps.h"
 #include "reports/sentence.h"
 #include "reports/text.h"
@@ -20,12 +22,13 @@ using results::Verdict;
 
 constexpr std::size_t last_words = 1000;  // bytes of an engine's stderr
 
-// "heavy_top × bullet 3.24 (double), dt 1/60, rk4"
+// "heavy_top × bullet 3.24 (double), step 1/60 s, rk4"
 std::string heading(const Verdict& v, const ConsoleOptions& options) {
   std::string text = fmt::format("{} {} {}", v.scenario, options.utf8 ? "×" : "x", v.engine);
   if (!v.version.empty()) text += fmt::format(" {}", v.version);
   if (!v.precision.empty()) text += fmt::format(" ({})", v.precision);
-  if (!v.dt_text.empty()) text += fmt::format(", dt {}", results::with_substeps(v.dt_text, v.substeps));
+  if (!v.dt_text.empty())
+    text += fmt::format(", step {}", results::with_substeps(results::step_in_words(v.dt_text), v.substeps));
   if (!v.integrator.empty()) text += fmt::format(", {}", v.integrator);
   return shown(text, options);
 }
@@ -106,7 +109,7 @@ Line claim_line(const Verdict& v, std::size_t count, const ConsoleOptions& optio
   return {claims_text(v, count, options),
           measured ? shown(measured_text(v), options) : "",
           has_allowed(v) ? fmt::format("{:.4g} {}", v.allowed, shown(v.unit, options)) : "",
-          measured ? fmt::format("{:+.1f}", results::digits(v.measured, v.allowed)) : "",
+          measured ? results::digits_text(results::digits(v.measured, v.allowed)) : "",
           status,
           shown(head(why, 400), options)};
 }

@@ -32,7 +32,10 @@ const Look& look(results::Status status) { return looks[static_cast<std::size_t>
 }  // namespace
 
 std::string shown(std::string_view text, const ConsoleOptions& options) {
-  return escaped(text, options.utf8 ? is_printable : is_printable_ascii);
+  if (options.utf8) return escaped(text, is_printable);
+  std::string plain(text);
+  for (std::size_t at = 0; (at = plain.find("µ", at)) != std::string::npos;) plain.replace(at, 2, "u");
+  return escaped(plain, is_printable_ascii);
 }
 
 std::string_view glyph(results::Status status, const ConsoleOptions& options) {

@@ -1,5 +1,7 @@
 #include "reports/error_plot.h"
 
+#include "harness/results/duration.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -98,7 +100,7 @@ Plot error_plot(std::span<const reports::Trace* const> runs) {
       plot.y_label = curve.unit.empty() ? "error" : fmt::format("error [{}]", curve.unit);
       plot.line = curve.allowed;
       Curve& line = plot.curves.emplace_back();
-      line.name = fmt::format("{}, dt {}", runs[i]->engine, runs[i]->dt_text);
+      line.name = fmt::format("{}, {}", runs[i]->engine, results::step_in_words(runs[i]->dt_text));
       line.colour = line.marker = static_cast<int>(i);
       for (std::size_t k = 0; k < curve.time.size(); ++k)
         line.points.emplace_back(curve.time[k], curve.value[k]);

@@ -1,5 +1,6 @@
 #include "reports/sentence.h"
 
+#include "harness/results/digits_text.h"
 #include "reports/text.h"
 
 #include <fmt/format.h>
@@ -29,8 +30,9 @@ std::string what_happened(const results::Verdict& v) {
   std::string text;
   if (is_measured(v.status)) {
     const std::string unit = quoted(v.unit);
-    text = fmt::format(": measured {}, allowed {:.4g}{}{}, {:+.1f} digits", measured_text(v), v.allowed,
-                       unit.empty() ? "" : " ", unit, results::digits(v.measured, v.allowed));
+    text = fmt::format(": measured {}, allowed {:.4g}{}{}, {}", measured_text(v), v.allowed,
+                       unit.empty() ? "" : " ", unit,
+                       results::digits_in_words(results::digits(v.measured, v.allowed)));
   } else if (v.first_bad_step) {
     text = fmt::format(": not finite from step {}", *v.first_bad_step);
   }

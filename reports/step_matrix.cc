@@ -1,5 +1,6 @@
 #include "reports/step_matrix.h"
 
+#include "harness/results/duration.h"
 #include "reports/text.h"
 #include "reports/trade_report.h"
 
@@ -25,19 +26,9 @@ constexpr int step_width = 9, cost_width = 8;
 // "1e-2"
 std::string power(double error) { return fmt::format("1e{:.0f}", std::log10(error)); }
 
-// "4 ms", "0.12 µs": two digits with a prefix.
+// Steps divide a duration, 20/20032 s in place of 1 ms, and times scatter: two digits.
 std::string seconds(double value, const ConsoleOptions& options) {
-  if (!std::isfinite(value)) return "";
-  const struct {
-    double scale;
-    const char* unit;
-  } units[] = {{1, "s"}, {1e-3, "ms"}, {1e-6, options.utf8 ? "µs" : "us"}, {1e-9, "ns"}};
-  for (const auto& [scale, unit] : units) {
-    const double shown = value / scale;
-    if (shown < 0.1 && scale > 1e-9) continue;
-    return shown < 99.5 ? fmt::format("{:.2g} {}", shown, unit) : fmt::format("{:.0f} {}", shown, unit);
-  }
-  return "";
+  return shown(results::duration(value, 2), options);
 }
 
 std::string step_of(const TradeSeries& series, const Reach& reach, const ConsoleOptions& options) {
@@ -138,7 +129,7 @@ std::string digits_text(const std::vector<TradeTable>& tables, double dt, const 
   int first = 8;
   for (const TradeTable& table : tables)
     first = std::max(first, display_width(shown(table.scenario, options)));
-  std::string out = fitted("scenario", first, dots) + "  " + fitted("step", 9, dots);
+  std::string out = fitted("scenario", first, dots) + "  " + fitted("step", step_width, dots);
   std::vector<int> widths;
   for (const std::string& engine : engines) {
     widths.push_back(std::max(11, display_width(shown(engine, options))));
@@ -162,7 +153,8 @@ std::string digits_text(const std::vector<TradeTable>& tables, double dt, const 
         text = at ? fmt::format("{:.1f}", at->digits) : "-";
       if (at && !series.adaptive) step = seconds(series.points[at->point].dt, options);
     }
-    std::string line = fitted(shown(table.scenario, options), first, dots) + "  " + fitted(step, 9, dots);
+    std::string line =
+        fitted(shown(table.scenario, options), first, dots) + "  " + fitted(step, step_width, dots);
     for (std::size_t i = 0; i < engines.size(); ++i)
       line += "  " + fitted(texts.contains(engines[i]) ? texts[engines[i]] : "", widths[i], dots);
     out += trimmed(line);

@@ -1,5 +1,6 @@
 #include "reports/steps_tables.h"
 
+#include "harness/results/duration.h"
 #include "harness/results/substeps.h"
 #include "reports/plain_tables.h"
 
@@ -34,7 +35,7 @@ std::string step(const Json& series, const Json& reach) {
   if (!value.is_number()) return "?";
   if (adaptive) return fmt::format("tolerance {:.2g}", value.get<double>());
   const Json& substeps = part(series, "substeps");
-  return results::with_substeps(fmt::format("{:.3g} s", value.get<double>()),
+  return results::with_substeps(results::duration(value.get<double>(), 2),
                                 substeps.is_number_integer() ? substeps.get<int>() : 1);
 }
 

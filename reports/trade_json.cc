@@ -17,6 +17,11 @@ using results::TradePoint;
 using results::TradeSeries;
 using results::TradeTable;
 
+// A run of a sweep is measured and not judged.
+std::string_view ending(const TradePoint& point) {
+  return point.status == results::Status::pass ? "ran" : results::name(point.status);
+}
+
 double per_body_step(const TradeTable& table, const TradePoint& p) {
   return p.step_seconds / static_cast<double>(p.steps * std::max<std::int64_t>(1, table.bodies));
 }
@@ -25,13 +30,11 @@ Json to_object(const TradeTable& table, const TradePoint& point) {
   Json errors = Json::object();
   for (std::size_t i = 0; i < point.errors.size(); ++i)
     errors[table.measures[i].name] = number(point.errors[i]);
-  return {{"steps", point.steps},
-          {"dt", point.dt},
-          {"dt_text", point.dt_text},
-          {"tolerance", point.tolerance > 0 ? Json(point.tolerance) : Json(nullptr)},
-          {"status", results::name(point.status)},
-          {"reason", point.reason},
-          {"errors", errors}};
+  return {
+      {"steps", point.steps},     {"dt", point.dt},
+      {"dt_text", point.dt_text}, {"tolerance", point.tolerance > 0 ? Json(point.tolerance) : Json(nullptr)},
+      {"status", ending(point)},  {"reason", point.reason},
+      {"errors", errors}};
 }
 
 Json to_object(const TradeTable& table, const TradeSeries& series) {
@@ -123,10 +126,10 @@ std::string trade_csv(const std::vector<TradeTable>& tables) {
         for (const std::string& word : {table.scenario, series.engine, series.integrator, series.version,
                                         series.precision, series.path, series.gyroscopic})
           out += csv_field(word) + ',';
-        out += fmt::format(
-            "{},{},{},{},{},{},{},{},{}", series.adaptive ? "" : std::to_string(series.declared),
-            real(series.order), p.steps, real(p.dt), csv_field(p.dt_text), series.substeps,
-            p.tolerance > 0 ? real(p.tolerance) : "", results::name(p.status), csv_field(p.reason));
+        out +=
+            fmt::format("{},{},{},{},{},{},{},{},{}", series.adaptive ? "" : std::to_string(series.declared),
+                        real(series.order), p.steps, real(p.dt), csv_field(p.dt_text), series.substeps,
+                        p.tolerance > 0 ? real(p.tolerance) : "", ending(p), csv_field(p.reason));
         for (const std::string& name : names) {
           out += ',';
           for (std::size_t i = 0; i < p.errors.size(); ++i)

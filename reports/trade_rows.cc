@@ -1,5 +1,6 @@
 // Common parts of the three renderings of a work–precision table: names, order texts, the plot.
 #include "harness/results/build.h"
+#include "harness/results/duration.h"
 #include "harness/results/substeps.h"
 #include "reports/builds.h"
 #include "reports/text.h"
@@ -23,7 +24,8 @@ double error_of(const TradeTable& table, const TradePoint& point) {
 }
 
 std::string place(const TradePoint& point) {
-  return point.tolerance > 0 ? fmt::format("tolerance {:.0e}", point.tolerance) : point.dt_text;
+  return point.tolerance > 0 ? fmt::format("tolerance {:.0e}", point.tolerance)
+                             : results::step_in_words(point.dt_text);
 }
 
 std::string engine_family(const std::string& engine) { return engine.substr(0, engine.find('/')); }
@@ -88,7 +90,7 @@ std::string order_text(const TradeTable& table, const TradeSeries& series) {
                                    [&](const TradePoint& p) { return p.dt == series.floor_from; });
     const std::string floor =
         fmt::format("{} {:.0e} from {}", series.rounding ? "floor" : "stalls at", series.floor,
-                    from == series.points.end() ? fmt::format("{}", series.floor_from) : place(*from));
+                    from == series.points.end() ? results::duration(series.floor_from) : place(*from));
     return std::isfinite(series.order) ? fmt::format("{:.2f}, {}", series.order, floor) : floor;
   }
   const double least = error_of(table, *best);

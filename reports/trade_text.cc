@@ -1,4 +1,5 @@
 #include "harness/results/build.h"
+#include "harness/results/duration.h"
 #include "reports/text.h"
 #include "reports/trade_report.h"
 
@@ -42,8 +43,9 @@ std::string head(const TradeTable& table, const ConsoleOptions& options) {
 std::string points(const TradeTable& table, const TradeSeries& series, const ConsoleOptions& options) {
   std::string text;
   for (const TradePoint& p : series.points) {
-    std::string line = fmt::format("  {} {:<14}", p.on_front ? '*' : ' ',
-                                   p.tolerance > 0 ? fmt::format("tol {:.0e}", p.tolerance) : p.dt_text);
+    std::string line = fmt::format(
+        "  {} {:<14}", p.on_front ? '*' : ' ',
+        p.tolerance > 0 ? fmt::format("tol {:.0e}", p.tolerance) : results::step_in_words(p.dt_text));
     if (p.errors.empty())
       line += fmt::format("{}: {}", results::name(p.status), p.reason);
     else
@@ -75,7 +77,8 @@ std::string front_text(const TradeTable& table, const std::string& build, Front 
     out += fmt::format(
         "* {} {:<16} error {:>8}  CPU {:>8} s/s  {:>8} ns/body-step\n",
         fitted(shown(trade_label(table, *series), options), name_width, options.utf8 ? "…" : "..."),
-        point->tolerance > 0 ? fmt::format("tol {:.0e}", point->tolerance) : shown(point->dt_text, options),
+        point->tolerance > 0 ? fmt::format("tol {:.0e}", point->tolerance)
+                             : shown(results::step_in_words(point->dt_text), options),
         number(point->errors[table.by]), number(point->cost),
         number(1e9 * point->step_seconds /
                static_cast<double>(point->steps * std::max<std::int64_t>(1, table.bodies))));

@@ -1,5 +1,7 @@
 #include "reports/verdict_matrix.h"
 
+#include "harness/results/digits_text.h"
+#include "harness/results/duration.h"
 #include "harness/results/substeps.h"
 #include "reports/sentence.h"
 #include "reports/text.h"
@@ -53,10 +55,11 @@ class Labels {
 
   std::size_t size() const { return order_.size(); }
 
-  std::vector<std::string> text() const {
+  template <class Words>
+  std::vector<std::string> text(const Words& words_of_second) const {
     std::vector<std::string> labels;
     for (const auto& [first, second] : order_)
-      labels.push_back(count_.at(first) > 1 ? fmt::format("{} {}", first, second) : first);
+      labels.push_back(count_.at(first) > 1 ? fmt::format("{} {}", first, words_of_second(second)) : first);
     return labels;
   }
 
@@ -162,8 +165,8 @@ Matrix fold(const std::vector<Verdict>& verdicts) {
     scenarios.add(v.scenario, v.dt_text);
     engines.add(v.engine, integrator(v));
   }
-  Matrix matrix{.scenarios = scenarios.text(),
-                .engines = engines.text(),
+  Matrix matrix{.scenarios = scenarios.text(results::step_in_words),
+                .engines = engines.text([](const std::string& name) { return name; }),
                 .cells = {},
                 .scene_of = scenarios.firsts(),
                 .engine_of = engines.firsts()};
@@ -178,7 +181,7 @@ Matrix fold(const std::vector<Verdict>& verdicts) {
 std::string cell_text(const Cell& cell, const ConsoleOptions& options) {
   if (cell.empty) return "";
   std::string text(glyph(cell.worst, options));
-  if (is_measured(cell.worst)) text += fmt::format(" {:+.1f}", cell.digits);
+  if (is_measured(cell.worst)) text += " " + results::digits_text(cell.digits);
   if (cell.closed_form) text += " =";
   if (!cell.passed_by.empty()) text += " avoidable";
   return cell.differs ? text + " !" : text;

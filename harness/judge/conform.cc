@@ -1,6 +1,8 @@
 #include "harness/judge/conform.h"
 
 #include "harness/core/input_error.h"
+#include "harness/results/digits_text.h"
+#include "harness/results/duration.h"
 #include "harness/results/substeps.h"
 #include "harness/scenario/scenario.h"
 #include "harness/study/cell.h"
@@ -65,8 +67,8 @@ study::Cell cell_of(const scenario::Scenario& scenario, const Engine& engine, co
 std::string line(const results::Verdict& v) {
   std::string text = fmt::format("  {}: {}", v.claim, results::name(v.status));
   if (std::isfinite(v.measured))
-    text += fmt::format(": measured {:.4g} {}, allowed {:.4g} {}, {:+.1f} digits", v.measured, v.unit,
-                        v.allowed, v.unit, results::digits(v.measured, v.allowed));
+    text += fmt::format(": measured {:.4g} {}, allowed {:.4g} {}, {}", v.measured, v.unit, v.allowed, v.unit,
+                        results::digits_in_words(results::digits(v.measured, v.allowed)));
   if (v.first_bad_step) text += fmt::format(": not finite from step {} on", *v.first_bad_step);
   if (!v.detail.empty()) text += ": " + v.detail;
   if (v.status != results::Status::pass && !v.tolerance_reason.empty())
@@ -84,9 +86,10 @@ bool Conformity::conforms() const {
 std::string Conformity::text() const {
   if (verdicts.empty()) return "the scenario claims nothing\n";
   const results::Verdict& first = verdicts.front();
-  std::string text = fmt::format("{} at dt = {}{}{}:\n", first.scenario,
-                                 results::with_substeps(first.dt_text + " s", first.substeps),
-                                 first.integrator.empty() ? "" : ", ", first.integrator);
+  std::string text =
+      fmt::format("{} at step {}{}{}:\n", first.scenario,
+                  results::with_substeps(results::step_in_words(first.dt_text), first.substeps),
+                  first.integrator.empty() ? "" : ", ", first.integrator);
   for (const results::Verdict& verdict : verdicts) text += line(verdict);
   if (!first.complaints.empty()) text += "  on stderr: " + first.complaints + '\n';
   return text;

@@ -1,5 +1,7 @@
 #include "harness/results/step_matrix.h"
 
+#include "harness/results/duration.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,8 +44,6 @@ std::size_t series_of(const TradeTable& table, const std::string& engine) {
   return first.value();
 }
 
-std::string at_step(double dt) { return fmt::format("{:.2g} s", dt); }
-
 }  // namespace
 
 std::optional<std::size_t> coarsest_point(const TradeTable& table, const TradeSeries& series, double error) {
@@ -62,22 +62,22 @@ std::string why_not_reached(const TradeTable& table, const TradeSeries& series, 
   const double least = error_of(table, *best);
   if (series.adaptive) return fmt::format("error {:.1g} at tolerance {:.0e}", least, best->tolerance);
   if (series.points.back().status == Status::timeout)
-    return fmt::format("error {:.1g} at {}, time limit exceeded below", least, at_step(best->dt));
+    return fmt::format("error {:.1g} at {}, time limit exceeded below", least, duration(best->dt, 2));
   if (std::isfinite(series.floor) && series.floor > error)
-    return fmt::format("stays at {:.1g} below {}{}", series.floor, at_step(series.floor_from),
+    return fmt::format("stays at {:.1g} below {}{}", series.floor, duration(series.floor_from, 2),
                        series.rounding ? fmt::format(": rounding in {} precision",
                                                      series.precision == "float" ? "single" : "double")
                                        : "");
   if (least <= error) return "met at single steps only: the error scatters";
   // An error of a third of the motion obeys no law of small errors.
-  if (least > 0.3) return fmt::format("never near: error {:.1g} at {}", least, at_step(best->dt));
+  if (least > 0.3) return fmt::format("never near: error {:.1g} at {}", least, duration(best->dt, 2));
   if (has_too_few_steps(series))
-    return fmt::format("error {:.1g} at {}, too few steps tried for an order", least, at_step(best->dt));
+    return fmt::format("error {:.1g} at {}, too few steps tried for an order", least, duration(best->dt, 2));
   if (!(series.order >= 0.5))
-    return fmt::format("error {:.1g} at {}, falls with no order", least, at_step(best->dt));
+    return fmt::format("error {:.1g} at {}, falls with no order", least, duration(best->dt, 2));
   // e = C dt^p
   const double needed = best->dt * std::pow(error / least, 1 / series.order);
-  return fmt::format("needs about {} at this order", at_step(needed));
+  return fmt::format("needs about {} at this order", duration(needed, 2));
 }
 
 std::vector<StepCell> step_cells(const TradeTable& table) {

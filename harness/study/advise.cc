@@ -2,6 +2,7 @@
 
 #include "harness/core/input_error.h"
 #include "harness/core/worst.h"
+#include "harness/results/duration.h"
 #include "harness/study/coarsest.h"
 #include "harness/study/cost.h"
 #include "harness/study/ladder.h"
@@ -148,7 +149,7 @@ class Search {
     p.steps = row_.steps[i], p.tolerance = row_.tolerances[i];
     p.dt = starts_.front().scenario->duration / static_cast<double>(p.steps);
     p.at = p.tolerance > 0 ? fmt::format("tolerance {:.1e}", p.tolerance)
-                           : step_text(*starts_.front().scenario, p.steps) + " s";
+                           : results::step_in_words(step_text(*starts_.front().scenario, p.steps));
     p.error = error;
     return p;
   }

@@ -2,6 +2,7 @@
 
 #include "harness/core/input_error.h"
 #include "harness/results/build.h"
+#include "harness/results/duration.h"
 #include "harness/study/order_fit.h"
 #include "harness/study/parallel.h"
 #include "harness/study/pareto.h"
@@ -181,9 +182,9 @@ void mark_front_of(const std::vector<TradeSeries*>& list, std::size_t by) {
     where[i].second->dominated_by.clear();
     if (!standing[i].by) continue;
     const auto& [series, point] = where[*standing[i].by];
-    where[i].second->dominated_by = series->adaptive
-                                        ? fmt::format("{} at {:.0e}", label(*series), point->tolerance)
-                                        : fmt::format("{} at {}", label(*series), point->dt_text);
+    where[i].second->dominated_by =
+        series->adaptive ? fmt::format("{} at {:.0e}", label(*series), point->tolerance)
+                         : fmt::format("{} at {}", label(*series), results::step_in_words(point->dt_text));
   }
 }
 

@@ -15,6 +15,7 @@
 #include "harness/input/json.h"
 #include "harness/process/interruption.h"
 #include "harness/process/sandbox.h"
+#include "harness/results/duration.h"
 #include "harness/study/cell_pool.h"
 #include "harness/study/instructions.h"
 #include "harness/study/side.h"
@@ -151,7 +152,7 @@ class Recorder {
           outcomes[i] = {};
           if (options_.verbose)
             std::cout << plain_line(fmt::format("stored {} on {} at {}", todo[i].scenario->name,
-                                                todo[i].engine.id, todo[i].dt_text))
+                                                todo[i].engine.id, results::step_in_words(todo[i].dt_text)))
                       << std::endl;
           if (context_.progress)
             std::cerr << fmt::format("\r[{}/{}] {}\x1b[K", ++finished, todo.size(),

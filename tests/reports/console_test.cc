@@ -112,7 +112,7 @@ TEST(Matrix, SaysHowManySubstepsAStepHas) {
   EXPECT_NE(
       legend(fold({v, make("ball", "ode", Status::pass)}), plain).find("rapier: 4 substeps in each step"),
       std::string::npos);
-  EXPECT_NE(console_details({v}, plain).find(", dt 1/60 (4 substeps)"), std::string::npos);
+  EXPECT_NE(console_details({v}, plain).find(", step 1/60 s (4 substeps)"), std::string::npos);
 }
 
 TEST(Matrix, MarksCellsThatDiffer) {
@@ -128,7 +128,7 @@ TEST(Matrix, SeveralStepsAndIntegratorsGetRowsAndColumnsOfTheirOwn) {
   b.dt_text = "1/240";
   c.integrator = "euler";
   const Matrix matrix = fold({a, b, c, make("ball", "bullet", Status::pass)});
-  EXPECT_EQ(matrix.scenarios, (std::vector<std::string>{"top 1/60", "top 1/240", "ball"}));
+  EXPECT_EQ(matrix.scenarios, (std::vector<std::string>{"top 1/60 s", "top 1/240 s", "ball"}));
   EXPECT_EQ(matrix.engines, (std::vector<std::string>{"in-house rk4", "in-house euler", "bullet"}));
   EXPECT_TRUE(matrix.cells[1][1].empty);
 }
@@ -193,7 +193,22 @@ TEST(Matrix, ScenesAndEnginesAreCountedOnce) {
   runs[4].status = Status::unsupported;  // at one step, with one integrator
   EXPECT_EQ(said(runs),
             "scenes supported: in-house 0 of 1, ode 1 of 1\nrefused, though another engine passes:\n"
-            "  in-house euler: top 1/120, which in-house rk4 passes\n");
+            "  in-house euler: top 1/120 s, which in-house rk4 passes\n");
+}
+
+TEST(Matrix, ErrorOfNothingIsExact) {
+  const struct {
+    double measured;
+    const char *cell, *digits;
+  } rows[] = {{0, "✓ exact", "exact"}, {1e-5, "✓ +3.0", "+3.0 digits"}, {1e-300, "✓ exact", "exact"}};
+  for (const auto& row : rows) {
+    const Verdict v = make("top", "bullet", Status::pass, row.measured);
+    EXPECT_EQ(cell_text(fold({v}).cells[0][0], plain), row.cell);
+    Verdict unforeseen = v;
+    unforeseen.expected = Status::fail;
+    const std::string text = console_matrix({unforeseen}, plain);
+    EXPECT_TRUE(contains(text, std::string("allowed 0.01 J, ") + row.digits + "\n")) << text;
+  }
 }
 
 // An engine that tells no contact forces runs the scene all the same.
@@ -274,7 +289,7 @@ TEST(Console, DifferenceNamesCellClaimAmountAndCommand) {
   v.tolerance_reason = "truncation: RK4";
   const std::string text = console_matrix({v, make("top", "ode", Status::pass)}, plain);
   for (const char* part :
-       {"top × bullet 3.24, dt 1/60: energy", "measured 2.5 J, allowed 0.01 J, -2.4 digits",
+       {"top × bullet 3.24, step 1/60 s: energy", "measured 2.5 J, allowed 0.01 J, -2.4 digits",
         "fail (expected low-quality)", "expected.toml: first order", "tolerance: truncation: RK4",
         "repeat with: cylon run top/bullet"})
     EXPECT_TRUE(contains(text, part)) << part << "\n" << text;

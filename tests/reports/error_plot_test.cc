@@ -83,7 +83,7 @@ TEST(ErrorPlot, ShowsWorstClaim) {
   EXPECT_EQ(plot.title, "top: axis");
   EXPECT_EQ(plot.line, 1e-2);
   ASSERT_EQ(plot.curves.size(), 2u);
-  EXPECT_EQ(plot.curves[1].name, "ode, dt 0.01");
+  EXPECT_EQ(plot.curves[1].name, "ode, 10 ms");
   EXPECT_EQ(plot.curves[1].points.size(), 201u);
   const std::string svg = to_svg(plot);
   EXPECT_NE(svg.find(">10</text>"), std::string::npos) << "seconds, not decades";

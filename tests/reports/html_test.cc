@@ -112,7 +112,7 @@ TEST(Html, OpensWithTheMatrixOfStepsWithoutScript) {
   report.documents["trades"] = {two_engines()};
   const std::string page = to_html(report);
   const auto steps = page.find(
-      "<th scope=\"row\">ode</th><td>1e-02: 0.002 s (4 substeps)</td><td>1e-03: not reached</td><td>no "
+      "<th scope=\"row\">ode</th><td>1e-02: 2 ms (4 substeps)</td><td>1e-03: not reached</td><td>no "
       "order</td>");
   ASSERT_NE(steps, std::string::npos);
   EXPECT_LT(steps, page.find("<th scope=\"row\">top</th><td>✓ +1.0</td>"));

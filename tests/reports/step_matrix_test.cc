@@ -123,19 +123,19 @@ TEST(StepMatrix, SaysWhyNoStepServes) {
     TradeSeries series;
     const char* why;
   } rows[] = {// 0.004 s at 0.0037 of first order: 1e-4 at 0.004/37
-              {stepped("bullet", {0.03, 0.015, 0.0074, 0.0037}, 1), "needs about 0.00011 s at this order"},
+              {stepped("bullet", {0.03, 0.015, 0.0074, 0.0037}, 1), "needs about 0.11 ms at this order"},
               // of order 2 at the same place: 0.004/sqrt 37
-              {stepped("bullet", {0.24, 0.06, 0.015, 0.0037}, 2), "needs about 0.00066 s at this order"},
-              {stepped("bullet", {1.4, 1.2, 0.9}, 0.2), "never near: error 0.9 at 0.008 s"},
-              {stepped("bullet", {0.04, 0.05, 0.03}, nan), "error 0.03 at 0.008 s, falls with no order"},
-              {stepped("bullet", {0.04}, nan), "error 0.04 at 0.032 s, too few steps tried for an order"},
+              {stepped("bullet", {0.24, 0.06, 0.015, 0.0037}, 2), "needs about 0.66 ms at this order"},
+              {stepped("bullet", {1.4, 1.2, 0.9}, 0.2), "never near: error 0.9 at 8 ms"},
+              {stepped("bullet", {0.04, 0.05, 0.03}, nan), "error 0.03 at 8 ms, falls with no order"},
+              {stepped("bullet", {0.04}, nan), "error 0.04 at 32 ms, too few steps tried for an order"},
               {stepped("bullet", {nan, nan}, nan), "no run ends: crash, signal 11"},
               {stepped("bullet", {0.03, 0.00004, 0.02}, 1), "met at single steps only: the error scatters"},
-              {floor, "stays at 0.0004 below 0.008 s: rounding in single precision"},
-              {stalls, "stays at 0.0004 below 0.008 s"},
+              {floor, "stays at 0.0004 below 8 ms: rounding in single precision"},
+              {stalls, "stays at 0.0004 below 8 ms"},
               {refused, "no water"},
               {adaptive, "error 0.003 at tolerance 1e-03"},
-              {slow, "error 0.08 at 0.032 s, time limit exceeded below"}};
+              {slow, "error 0.08 at 32 ms, time limit exceeded below"}};
   for (const auto& row : rows) {
     const TradeTable table = table_of({row.series});
     EXPECT_EQ(why_not_reached(table, table.series[0], 1e-4), row.why);

@@ -109,7 +109,7 @@ TEST(TradeReport, TextSaysOrderFloorCostAndFront) {
   t.series[0].floor = 3e-13, t.series[0].floor_from = t.series[0].points[1].dt, t.series[0].rounding = true;
   t.series[0].points[1].dt_text = "1/20";
   const std::string text = trade_text(t, {.width = 100}, true);
-  EXPECT_NE(text.find("3.97, floor 3e-13 from 1/20"), std::string::npos) << text;
+  EXPECT_NE(text.find("3.97, floor 3e-13 from 50 ms"), std::string::npos) << text;
   EXPECT_NE(text.find("@1e-03"), std::string::npos);
   EXPECT_NE(text.find("no finite run: crash"), std::string::npos);
   EXPECT_EQ(text.find('\x1b'), std::string::npos);

@@ -8,6 +8,7 @@
 #include "harness/cli/timed_cores.h"
 #include "harness/core/worst.h"
 #include "harness/process/interruption.h"
+#include "harness/results/duration.h"
 #include "harness/results/substeps.h"
 #include "harness/study/ladder.h"
 
@@ -75,7 +76,8 @@ results::Pick pick_of(const results::TradeSeries& series, const results::TradePo
   pick.engine = series.engine, pick.integrator = series.integrator;
   pick.substeps = series.substeps;
   pick.steps = point.steps, pick.dt = point.dt, pick.tolerance = point.tolerance;
-  pick.at = point.tolerance > 0 ? fmt::format("tolerance {:.0e}", point.tolerance) : point.dt_text + " s";
+  pick.at = point.tolerance > 0 ? fmt::format("tolerance {:.0e}", point.tolerance)
+                                : results::step_in_words(point.dt_text);
   pick.error = point.errors[by], pick.cost = point.cost;
   return pick;
 }

@@ -4,6 +4,7 @@
 #include "harness/cli/scenario_view.h"
 
 #include "harness/core/claim.h"
+#include "harness/results/duration.h"
 #include "harness/scenario/glob.h"
 
 #include <fmt/format.h>
@@ -79,10 +80,10 @@ int list(const Context& context, const Options& options) {
     std::size_t width = 0;
     for (const auto& scenario : found) width = std::max(width, scenario.name.size());
     for (const auto& scenario : found) {
-      std::cout << plain_line(fmt::format("{:<{}}  {:>5g} s at {:<6} {:>2} claims  {}  ({})  [{}]",
-                                          scenario.name, width, scenario.duration, scenario.step_text,
-                                          scenario.claims.size(), scenario.title, truth_of(scenario),
-                                          fmt::join(scenario.tags, ", ")))
+      std::cout << plain_line(fmt::format("{:<{}}  {:>5g} s at {:<8} {:>2} claims  {}  ({})  [{}]",
+                                          scenario.name, width, scenario.duration,
+                                          results::step_in_words(scenario.step_text), scenario.claims.size(),
+                                          scenario.title, truth_of(scenario), fmt::join(scenario.tags, ", ")))
                 << '\n';
     }
   }

@@ -1,6 +1,7 @@
 #include "harness/cli/commands/run_cells.h"
 
 #include "harness/cli/command_line.h"
+#include "harness/results/duration.h"
 
 #include <fmt/format.h>
 
@@ -25,7 +26,7 @@ class Progress {
     clear();
     if (!std::ranges::all_of(rows, &Verdict::as_expected))
       std::cerr << plain_line(fmt::format("differs: {} on {} at {}", cell.scenario->name, cell.engine.id,
-                                          cell.dt_text))
+                                          results::step_in_words(cell.dt_text)))
                 << '\n';
     std::cerr << fmt::format("\r[{}/{}] {}\x1b[K", finished_, total_,
                              plain_line(cell.scenario->name + " on " + cell.engine.id))

@@ -66,8 +66,10 @@ void add_options(App& app, const std::shared_ptr<RunOptions>& options) {
   app.add_flag("--resume", options->resume,
                "Continue the last run in this folder: finished cells are not run again")
       ->excludes(rerun);
-  const Option verbose = app.add_flag("-v,--verbose", options->verbose,
-                                      "Print every claim of every cell, with the engine's settings");
+  const Option verbose =
+      app.add_flag("-v,--verbose", options->verbose,
+                   "Print every claim of every cell, with the engine's settings; one cell alone is "
+                   "printed so in any case, unless --brief is given");
   app.add_flag("--brief", options->brief, "Print no matrix: only what differs, and the counts")
       ->excludes(verbose);
 }

@@ -3,6 +3,7 @@
 #include "harness/cli/commands/published.h"
 #include "harness/cli/output.h"
 #include "harness/cli/scenario_view.h"
+#include "harness/results/duration.h"
 #include "reports/error_plot.h"
 #include "reports/html.h"
 
@@ -67,8 +68,8 @@ void write_report(const RunOptions& options, const Selection& selection, const T
 void print_charts(const Traces& traces, const reports::ConsoleOptions& style) {
   for (const reports::Trace& trace : traces.errors()) {
     if (trace.errors.empty()) continue;
-    std::cout << reports::shown(fmt::format("{} on {}, {}, dt {}", trace.scenario, trace.engine,
-                                            trace.integrator, trace.dt_text),
+    std::cout << reports::shown(fmt::format("{} on {}, {}, step {}", trace.scenario, trace.engine,
+                                            trace.integrator, results::step_in_words(trace.dt_text)),
                                 style)
               << "\n\n";
     for (const reports::ErrorCurve& curve : trace.errors)

@@ -9,6 +9,7 @@
 #include "harness/cli/timed_cores.h"
 #include "harness/core/input_error.h"
 #include "harness/process/interruption.h"
+#include "harness/results/duration.h"
 #include "harness/study/self_reference.h"
 #include "reports/html.h"
 #include "reports/trade_report.h"
@@ -40,7 +41,7 @@ class Progress {
       std::cerr << '\r'
                 << plain_line(fmt::format("{}: {} runs, {} timings; {} {} at {}", scenario_, runs_, timings_,
                                           setting.engine.id, setting.integrator.name,
-                                          point.dt_text))
+                                          results::step_in_words(point.dt_text)))
                 << "\x1b[K" << std::flush;
   }
 

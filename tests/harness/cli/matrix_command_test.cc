@@ -32,7 +32,7 @@ TEST_F(MatrixCommand, GivesTheCoarsestStepOfEachEngineAndNoStepOfAClosedForm) {
     EXPECT_DOUBLE_EQ(point["dt"], i == 0 ? 0.008 : 0.0005);
   }
   EXPECT_TRUE(reach[2]["point"].is_null());
-  EXPECT_EQ(reach[2]["why"], "needs about 8e-05 s at this order; cause: semi_implicit_euler");
+  EXPECT_EQ(reach[2]["why"], "needs about 80 µs at this order; cause: semi_implicit_euler");
   const double finest = ode["points"].back()["dt"];
   EXPECT_GE(finest, 1e-4);
   EXPECT_LT(finest, 1.1e-4);

@@ -25,7 +25,7 @@ TEST(Fronts, EachBuildHasItsOwn) {
                   series("rapier", "0.21.0 (WebAssembly in Node 20.20.2)", 2e-2, 2e-4),
                   series("cannon-es", "0.20.0 (JavaScript in Node 20.20.2)", 3e-2, 3e-4)};
   mark_front(table);
-  const char* dominated_by[] = {"", "in-house at 1/60", "", "jolt at 1/60", ""};
+  const char* dominated_by[] = {"", "in-house at 1/60 s", "", "jolt at 1/60 s", ""};
   for (std::size_t i = 0; i < table.series.size(); ++i) {
     const results::TradePoint& point = table.series[i].points[0];
     EXPECT_EQ(point.dominated_by, dominated_by[i]) << table.series[i].engine;

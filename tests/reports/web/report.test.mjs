@@ -287,7 +287,7 @@ test('a refused cell has no allowance, no violation and no integrator', async ()
   await row.waitFor();
   const [, , measured, allowed, digits, violation] = await row.locator('td').allInnerTexts();
   assert.deepEqual([measured, allowed, digits, violation], ['', '', '', '']);
-  assert.equal(await page.locator('#cell-heading').innerText(), 'bouncing_sphere / mujoco dt 0.001');
+  assert.equal(await page.locator('#cell-heading').innerText(), 'bouncing_sphere / mujoco step 1 ms');
   assert.deepEqual(page.faults, []);
 });
 

@@ -2,6 +2,7 @@
 import { useEffect, useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
 
 import type { Index } from '../shared/documents';
+import { stepInWords } from '../shared/durations';
 import { setTheme, theme, type Theme } from '../shared/theme';
 import { cellOf, link, sectionAddress, useAddress } from './address';
 import { CellPage } from './cell/cell_page';
@@ -105,7 +106,7 @@ export function App({ index, matrix }: { index: Index; matrix: Matrix }) {
         {name && !cell ? (
           <p role="alert">
             The report has no run of {visible(name.scenario)} by {visible(name.engine)}{' '}
-            {visible(name.integrator)} at {visible(name.dt)} s.{' '}
+            {visible(name.integrator)} at {visible(stepInWords(name.dt))}.{' '}
             <a href={link(sectionAddress('matrix'))}>All runs</a>
           </p>
         ) : null}

@@ -1,5 +1,6 @@
 // Verdicts to a matrix of scenarios and engines: a cell is the worst of its claims (as reports/verdict_matrix.cc
 // folds).
+import { stepInWords } from '../shared/durations';
 import type { Status, Verdict } from '../shared/documents';
 import { families } from './families';
 import { differs, digits, isMeasured, severity } from './status';
@@ -61,7 +62,7 @@ class Labels {
     return [...this.order.values()].map(({ first, second }) => ({
       first,
       second,
-      label: this.several.get(first)! > 1 ? `${first} ${second}` : first,
+      label: this.several.get(first)! > 1 ? `${first} ${stepInWords(second)}` : first, // an integrator stays as it is
     }));
   }
 }

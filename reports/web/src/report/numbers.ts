@@ -6,6 +6,16 @@ export function digitsText(value: number): string {
   return (rounded < 0 ? '-' : '+') + Math.abs(rounded).toFixed(1);
 }
 
+/** The digits of a verdict: "+1.0", "exact" for an error of nothing. */
+export function wonText(digits: number): string {
+  return digits >= 99 ? 'exact' : digitsText(digits);
+}
+
+/** The same in a sentence: "+1.0 digits", "exact". */
+export function wonInWords(digits: number): string {
+  return digits >= 99 ? 'exact' : `${digitsText(digits)} digits`;
+}
+
 /** Significant digits as C's %.4g: 1.554e-15, 0.0025, 12. */
 export function short(value: number | null | undefined, significant = 4): string {
   if (value === null || value === undefined) return 'not finite';
@@ -34,28 +44,6 @@ export function withInterval(v: {
 }): string {
   if (!v.interval) return withUnit(v.measured, v.unit);
   return withUnit(`${short(v.measured)} [${short(v.interval[0])}, ${short(v.interval[1])}]`, v.unit);
-}
-
-const prefixes: [number, string][] = [
-  [1, ''],
-  [1e-3, 'm'],
-  [1e-6, 'µ'],
-  [1e-9, 'n'],
-  [1e-12, 'p'],
-];
-
-/** Seconds with a prefix: 12.3 µs. */
-export function duration(seconds: number | null | undefined): string {
-  if (seconds === null || seconds === undefined || !Number.isFinite(seconds)) return 'not measured';
-  const [scale, prefix] = prefixes.find(([s]) => Math.abs(seconds) >= s) ?? [1e-12, 'p'];
-  return seconds === 0 ? '0 s' : `${short(seconds / scale, 3)} ${prefix}s`;
-}
-
-/** Seconds in a sentence of the program as durations: "about 4.9e-05 s" to "about 49 \u00b5s". */
-export function withDurations(text: string): string {
-  return text.replace(/(?<![\w.+-])(\d{1,20}(?:\.\d{1,20})?(?:e[-+]\d{1,3})?) s(?![\w/^])/g, (_, seconds: string) =>
-    duration(Number(seconds)),
-  );
 }
 
 export function count(n: number, one: string, many = `${one}s`): string {

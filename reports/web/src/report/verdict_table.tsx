@@ -2,8 +2,9 @@
 import { useMemo } from 'preact/hooks';
 
 import type { Verdict } from '../shared/documents';
+import { stepInWords } from '../shared/durations';
 import { cellAddress, link } from './address';
-import { count, digitsText, withInterval, withUnit } from './numbers';
+import { count, withInterval, withUnit, wonInWords } from './numbers';
 import { digits, isMeasured } from './status';
 import { StatusMark } from './status_mark';
 import { Foreign, Name } from './text';
@@ -12,7 +13,7 @@ import { visible } from './visible';
 
 /** The cell, with its step where that tells it from others. */
 export function cellText(v: Verdict, step: boolean): string {
-  return `${v.scenario} / ${v.engine}${step ? `, dt ${v.dt_text}` : ''}`;
+  return `${v.scenario} / ${v.engine}${step ? `, step ${stepInWords(v.dt_text)}` : ''}`;
 }
 
 export function CellName({ verdict: v, step }: { verdict: Verdict; step: boolean }) {
@@ -27,8 +28,8 @@ export function CellName({ verdict: v, step }: { verdict: Verdict; step: boolean
 export function measuredText(v: Verdict): string {
   if (!isMeasured(v.status))
     return v.first_bad_step === null ? '' : `not finite from step ${v.first_bad_step}`;
-  const won = digitsText(digits(v.measured, v.allowed));
-  return `${withInterval(v)} of ${withUnit(v.allowed, v.unit)}, ${won} digits`;
+  const won = wonInWords(digits(v.measured, v.allowed));
+  return `${withInterval(v)} of ${withUnit(v.allowed, v.unit)}, ${won}`;
 }
 
 /** Claims of one run that failed as one: a crash is the same for all of them. */

@@ -16,6 +16,9 @@ export type Status =
   | 'non-finite'
   | 'protocol';
 
+/** How a run that is measured and not judged came to its end. */
+export type Ending = 'ran' | Exclude<Status, 'pass'>;
+
 /** What an engine says of how a part of the scene went; one matter each. */
 export interface Diagnostic {
   kind: string;
@@ -265,7 +268,7 @@ export interface Trade {
       floor: number | null;
       floor_is_rounding: boolean;
       reason: string;
-      points: { steps: number; dt: number; dt_text: string; tolerance: number | null; status: Status; reason: string; errors: Record<string, number | null> }[];
+      points: { steps: number; dt: number; dt_text: string; tolerance: number | null; status: Ending; reason: string; errors: Record<string, number | null> }[];
     }[];
     /** One per engine: which step it needs (harness/results/step_matrix.h). */
     cells?: {

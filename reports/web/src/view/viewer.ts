@@ -1,5 +1,6 @@
 // What the page knows and does: session, newest state, pictures, commands.  The elements on the page ask it.
 import type { Vector } from '../shared/documents';
+import { stepInWords } from '../shared/durations';
 import type { Command, Lane, Session, StateMessage } from '../shared/live';
 import type { CameraState } from '../shared/scene3d/index';
 import { Commands } from './commands';
@@ -19,7 +20,7 @@ const few = 200; // bodies whose contacts are marked without being asked for
 const refresh = 125; // [ms] between read-outs: faster is not read
 
 export const laneName = (lane: Lane): string =>
-  [lane.engine, lane.integrator, `dt ${lane.dt_text}`].filter((part) => part).join(' · ');
+  [lane.engine, lane.integrator, `step ${stepInWords(lane.dt_text)}`].filter((part) => part).join(' · ');
 
 export class Viewer {
   session: Session | null = null;

@@ -90,7 +90,7 @@ const table = {
           dt: 0.1,
           dt_text: '1/10',
           tolerance: null,
-          status: 'pass',
+          status: 'ran',
           reason: '',
           errors: { trajectory: 0.1, energy: 0.3 },
         },
@@ -98,7 +98,7 @@ const table = {
           dt: 0.05,
           dt_text: '1/20',
           tolerance: null,
-          status: 'pass',
+          status: 'ran',
           reason: '',
           errors: { trajectory: 0.01, energy: 0.2 },
         },
@@ -113,7 +113,7 @@ const table = {
           dt: 0.1,
           dt_text: '1/10',
           tolerance: 1e-3,
-          status: 'pass',
+          status: 'ran',
           reason: '',
           errors: { trajectory: 0.02, energy: 0.4 },
         },
@@ -132,7 +132,7 @@ const table = {
 const times = [
   ['a', '1/10', null, 1, true, ''],
   ['a', '1/20', null, 2, true, ''],
-  ['b', '1/10', 1e-3, 3, false, 'a at 1/20'],
+  ['b', '1/10', 1e-3, 3, false, 'a at 1/20 s'],
 ].map(([engine, dt_text, tolerance, cost, on_front, dominated_by]) => ({
   scenario: 'kepler',
   engine,
@@ -154,7 +154,7 @@ test('points get their own costs, and keep the front of the measure that the swe
       [0.01, 2, true],
     ],
   );
-  assert.equal(b.points[0].dominatedBy, 'a at 1/20');
+  assert.equal(b.points[0].dominatedBy, 'a at 1/20 s');
   assert.deepEqual(b.points.map(isDrawn), [true, false]);
 });
 

@@ -64,7 +64,7 @@ test('steps and schemes are named only where there are several', () => {
   ]);
   assert.deepEqual(
     rows.map((r) => r.label),
-    ['heavy_top 0.001', 'heavy_top 1/60', 'kepler'],
+    ['heavy_top 1 ms', 'heavy_top 1/60 s', 'kepler'],
   );
   assert.deepEqual(
     columns.map((c) => c.label),

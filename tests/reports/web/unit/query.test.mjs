@@ -7,7 +7,7 @@ import { load } from '../bundle_for_test.mjs';
 import { verdict } from './verdicts.mjs';
 
 const { parse, QueryError } = await load('report/query/parse.ts');
-const { glob, matcher, shownColumns } = await load('report/query/match.ts');
+const { glob, matcher, requireKnown, shownColumns } = await load('report/query/match.ts');
 const { withColumns } = await load('report/query/columns.ts');
 const { fold } = await load('report/fold.ts');
 
@@ -102,6 +102,18 @@ for (const [query, at, message] of faults)
         return true;
       },
     ));
+
+for (const [query, at, message] of [
+  ['bulet:fail', 0, /no engine of this report is called 'bulet', did you mean 'bullet'\?/],
+  ['kepler not jolt:pass', 11, /called 'jolt'$/],
+  ['bullet:fail or simbody*:digits<0', 15, /called 'simbody\*'$/],
+  [`${'x'.repeat(100000)}:fail`, 0, /no engine of this report/],
+])
+  test(`knows no engine of '${query.slice(0, 40)}'`, () =>
+    assert.throws(() => requireKnown(parse(query).engines, matrix.columns), { at, message }));
+for (const query of ['', 'bullet:fail', 'BULLET*:pass', 'any:crash *:differs digits<0', 'ode:digits>3', 'bullet/gyro=none:crash', 'jolt'])
+  test(`knows each engine of '${query}'`, () =>
+    assert.doesNotThrow(() => requireKnown(parse(query).engines, matrix.columns)));
 
 for (const [pattern, text, expected] of [
   ['', '', true],

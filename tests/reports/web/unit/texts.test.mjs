@@ -4,7 +4,8 @@ import { test } from 'node:test';
 
 import { load } from '../bundle_for_test.mjs';
 
-const { digitsText, duration, short, withDurations, withUnit } = await load('report/numbers.ts');
+const { digitsText, short, withUnit, wonInWords, wonText } = await load('report/numbers.ts');
+const { duration, stepInWords } = await load('shared/durations.ts');
 const { visible, visibleLines } = await load('report/visible.ts');
 const { stepText } = await load('report/cell/settings.tsx');
 const { sentence } = await load('report/text.tsx');
@@ -48,23 +49,43 @@ for (const [seconds, text] of [
   [0, '0 s'],
   [2.5e-9, '2.5 ns'],
   [0.0123, '12.3 ms'],
+  [0.000125, '0.125 ms'],
+  [0.00009, '90 \u00b5s'],
+  [1234.4, '1234 s'],
   [75, '75 s'],
   [null, 'not measured'],
   [3.4e-13, '0.34 ps'],
 ])
   test(`duration ${seconds}`, () => assert.equal(duration(seconds), text));
 
-for (const [text, printed] of [
-  ['needs about 4.9e-05 s at this order', 'needs about 49 \u00b5s at this order'],
-  ['error 0.4 at 0.00025 s, falls with no order', 'error 0.4 at 250 \u00b5s, falls with no order'],
-  ['2 steps of 3 m/s and 4 s/m', '2 steps of 3 m/s and 4 s/m'],
+for (const [asked, text] of [
+  ['1/240', '1/240 s'],
+  ['5/1248', '5/1248 s'],
+  ['0.001', '1 ms'],
+  ['1/500', '2 ms'],
+  ['0.8/25', '32 ms'],
+  ['1/0', '1/0'],
+  ['5e-04', '0.5 ms'],
+  ['1.25e-4', '0.125 ms'],
+  ['0.0166667', '0.0166667 s'],
+  ['rk4', 'rk4'],
+  ['1/x', '1/x'],
+  ['', ''],
 ])
-  test(`'${text}' is printed as '${printed}'`, () => assert.equal(withDurations(text), printed));
+  test(`a step '${asked}' is '${text}'`, () => assert.equal(stepInWords(asked), text));
+
+for (const [value, text, words] of [
+  [99, 'exact', 'exact'],
+  [98.9, '+98.9', '+98.9 digits'],
+  [-99, '-99.0', '-99.0 digits'],
+  [3, '+3.0', '+3.0 digits'],
+])
+  test(`digits ${value} of a verdict`, () => assert.deepEqual([wonText(value), wonInWords(value)], [text, words]));
 
 for (const [dt_text, dt, text] of [
-  ['0.001', 0.001, '0.001 s'],
-  ['1/60', 1 / 60, '1/60 s (0.016666666666666666 s)'],
-  ['0.003', 0.003, '0.003 s'],
+  ['0.001', 0.001, '1 ms'],
+  ['1/60', 1 / 60, '1/60 s (16.7 ms)'],
+  ['0.003', 0.003, '3 ms'],
 ])
   test(`a step of ${dt_text} s is printed as '${text}'`, () => assert.equal(stepText({ dt, dt_text }), text));
 

@@ -2,9 +2,10 @@
 import { useEffect, useLayoutEffect, useMemo } from 'preact/hooks';
 
 import type { ErrorCurve, Index, ScenarioView } from '../../shared/documents';
+import { stepInWords } from '../../shared/durations';
 import { address, cellAddress, go, link, sectionAddress, useAddress } from '../address';
 import type { Cell, CellName, Matrix } from '../fold';
-import { count, digitsText } from '../numbers';
+import { count, wonInWords } from '../numbers';
 import { isMeasured, looks, worstFirst } from '../status';
 import { Differs, StatusMark } from '../status_mark';
 import { Foreign } from '../text';
@@ -40,12 +41,12 @@ function Neighbours({ matrix, cell }: { matrix: Matrix; cell: Cell }) {
 }
 
 function Heading({ cell, view }: { cell: Cell; view: ScenarioView | undefined }) {
-  const won = isMeasured(cell.worst) && cell.digits !== null ? `, ${digitsText(cell.digits)} digits` : '';
+  const won = isMeasured(cell.worst) && cell.digits !== null ? `, ${wonInWords(cell.digits)}` : '';
   return (
     <>
       <h2 id="cell-heading" tabIndex={-1}>
         {visible(cell.scenario)} / {visible(cell.engine)}{' '}
-        <span class="note">{visible([cell.integrator, `dt ${cell.dt}`].filter(Boolean).join(', '))}</span>
+        <span class="note">{visible([cell.integrator, `step ${stepInWords(cell.dt)}`].filter(Boolean).join(', '))}</span>
       </h2>
       <p class="cell-verdict">
         <StatusMark status={cell.worst} />

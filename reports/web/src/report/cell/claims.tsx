@@ -3,7 +3,7 @@ import { useMemo, useState } from 'preact/hooks';
 
 import type { ErrorCurve, ScenarioView, Verdict } from '../../shared/documents';
 import { Sample } from '../../shared/plot_marks';
-import { digitsText, short, withInterval, withUnit } from '../numbers';
+import { short, withInterval, withUnit, wonText } from '../numbers';
 import { compare, differs, digits, hasAllowed, isMeasured } from '../status';
 import { Differs, StatusMark } from '../status_mark';
 import { Foreign, Numbers } from '../text';
@@ -117,7 +117,7 @@ function Line({ row, shown, toggle, reasons }: LineProps) {
         <th scope="rowgroup">{visible(v.claim)}</th>
         <td class="number">{isMeasured(v.status) ? withInterval(v) : ''}</td>
         <td class="number">{v.allowed === null || !hasAllowed(v.status) ? '' : withUnit(v.allowed, v.unit)}</td>
-        <td class="number">{isMeasured(v.status) ? digitsText(digits(v.measured, v.allowed)) : ''}</td>
+        <td class="number">{isMeasured(v.status) ? wonText(digits(v.measured, v.allowed)) : ''}</td>
         <td class="number">
           <Violation curve={curve} verdict={v} />
         </td>

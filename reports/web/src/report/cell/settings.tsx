@@ -1,6 +1,7 @@
 // How the engine was set for this run: forced settings, and known limits.
 import type { Diagnostic, ScenarioView, Verdict } from '../../shared/documents';
-import { count, duration, short, withUnit } from '../numbers';
+import { duration, stepInWords } from '../../shared/durations';
+import { count, short, withUnit } from '../numbers';
 import { Foreign, ForeignLines } from '../text';
 import { withSubsteps } from '../substeps';
 import { visible } from '../visible';
@@ -10,9 +11,10 @@ function distinct(verdicts: Verdict[], of: (v: Verdict) => string): string {
   return [...new Set(verdicts.map(of))].join(' | ');
 }
 
-/** "1/60 s (0.016666666666666666 s)"; "0.001 s" alone, which says the number already. */
+/** "1/60 s (16.7 ms)"; "1 ms" alone, which says the number already. */
 export function stepText({ dt, dt_text }: Verdict): string {
-  return Number(dt_text) === dt ? `${dt_text} s` : `${dt_text} s (${short(dt, 17)} s)`;
+  const asked = stepInWords(dt_text);
+  return asked.includes('/') ? `${asked} (${duration(dt)})` : asked;
 }
 
 const facts: [string, (v: Verdict) => string][] = [

@@ -4,8 +4,8 @@ import { useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 import type { ScenarioView } from '../../shared/documents';
 import { go, useAddress } from '../address';
 import { grouped } from '../families';
-import { badness, type Matrix, type Row } from '../fold';
-import { matcher, shownColumns } from '../query/match';
+import { badness, type Column, type Matrix, type Row } from '../fold';
+import { matcher, requireKnown, shownColumns } from '../query/match';
 import { parse, type Parsed, QueryError } from '../query/parse';
 import { withColumns } from '../query/columns';
 import { looks, statuses } from '../status';
@@ -15,11 +15,13 @@ import { Filter } from './filter';
 import { rememberColumns } from './remembered_columns';
 import { MatrixTable } from './table';
 
-const everything: Parsed = { query: { kind: 'all' }, columns: [] };
+const everything: Parsed = { query: { kind: 'all' }, columns: [], engines: [] };
 
-function read(text: string): { parsed: Parsed; fault: QueryError | null } {
+function read(text: string, columns: Column[]): { parsed: Parsed; fault: QueryError | null } {
   try {
-    return { parsed: parse(text), fault: null };
+    const parsed = parse(text);
+    requireKnown(parsed.engines, columns);
+    return { parsed, fault: null };
   } catch (error) {
     if (error instanceof QueryError) return { parsed: everything, fault: error };
     throw error;
@@ -77,7 +79,7 @@ interface MatrixSectionProps {
 export function MatrixSection({ matrix, views }: MatrixSectionProps) {
   const { q: query = '', sort = '', section = '' } = useAddress();
   const input = useRef<HTMLInputElement>(null);
-  const { parsed, fault } = useMemo(() => read(query), [query]);
+  const { parsed, fault } = useMemo(() => read(query, matrix.columns), [query, matrix]);
   const titles = useMemo(() => new Map([...views].map(([name, view]) => [name, view.title])), [views]);
   const shown = useMemo(() => shownColumns(parsed.columns, matrix.columns), [parsed, matrix]);
   const families = useMemo(() => grouped(matrix.columns, shown), [matrix, shown]);
@@ -102,7 +104,7 @@ export function MatrixSection({ matrix, views }: MatrixSectionProps) {
   // What a link chose is not remembered until the reader changes it.
   const ask = (q: string) => {
     go({ q });
-    const next = read(q);
+    const next = read(q, matrix.columns);
     const chosen = shownColumns(next.parsed.columns, matrix.columns);
     if (!next.fault && chosen.some((s, j) => s !== shown[j])) rememberColumns(matrix.columns, chosen);
   };

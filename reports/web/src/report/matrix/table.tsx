@@ -4,7 +4,7 @@ import { useCallback, useEffect, useRef, useState } from 'preact/hooks';
 import { cellAddress, link } from '../address';
 import type { Family } from '../families';
 import type { Cell, Column, Row } from '../fold';
-import { digitsText } from '../numbers';
+import { wonText } from '../numbers';
 import { isMeasured, looks } from '../status';
 import { Differs, spoken } from '../status_mark';
 import { Name } from '../text';
@@ -18,7 +18,7 @@ const roomy = 12; // columns; more of them are drawn dense
 
 function CellLink({ cell, row, column }: { cell: Cell; row: number; column: number }) {
   const { glyph } = looks[cell.worst];
-  const won = isMeasured(cell.worst) && cell.digits !== null ? ` ${digitsText(cell.digits)}` : '';
+  const won = isMeasured(cell.worst) && cell.digits !== null ? ` ${wonText(cell.digits)}` : '';
   const name = visible(`${cell.scenario}, ${cell.engine}`);
   const avoidable = cell.passedBy.length > 0 ? ' avoidable' : '';
   const closed = cell.closedForm ? ' =' : '';

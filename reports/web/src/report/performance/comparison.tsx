@@ -1,7 +1,8 @@
 // Two builds side by side, as `cylon track compare` found them.
 import type { Comparisons } from '../../shared/documents';
+import { duration } from '../../shared/durations';
 import { Command } from '../cell/copy';
-import { duration, short } from '../numbers';
+import { short } from '../numbers';
 import { Foreign, Name } from '../text';
 import { useFew } from '../use_few';
 import { visible } from '../visible';

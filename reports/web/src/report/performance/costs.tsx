@@ -2,10 +2,11 @@
 import { useMemo } from 'preact/hooks';
 
 import type { Verdict } from '../../shared/documents';
+import { duration } from '../../shared/durations';
 import { cellAddress, link } from '../address';
 import { Build, buildOf, buildsNote } from '../builds';
 import { type Cell, fold } from '../fold';
-import { digitsText, duration } from '../numbers';
+import { wonText } from '../numbers';
 import { isMeasured, looks } from '../status';
 import { Name } from '../text';
 import { useFew } from '../use_few';
@@ -15,7 +16,7 @@ function Cost({ cell }: { cell: Cell | null }) {
   const first = cell?.verdicts[0];
   if (!cell || !first) return null;
   const known = first.body_steps > 0 && first.cpu_seconds > 0;
-  const won = isMeasured(cell.worst) && cell.digits !== null ? ` ${digitsText(cell.digits)}` : '';
+  const won = isMeasured(cell.worst) && cell.digits !== null ? ` ${wonText(cell.digits)}` : '';
   return (
     <a href={link(cellAddress(cell))} class="cost">
       <span class="number">{known ? duration(first.cpu_seconds / first.body_steps) : 'not timed'}</span>{' '}

@@ -1,7 +1,7 @@
 // Whether a row of the matrix answers a query.  Terms about engines look at all columns, shown or not.
 import type { ScenarioView } from '../../shared/documents';
 import type { Cell, Column, Row } from '../fold';
-import type { Field, Query, Relation } from './parse';
+import { distance, type Field, type Named, type Query, QueryError, type Relation } from './parse';
 
 /** '*' is any text, '?' any letter; a glob matches the whole text, whatever the case.  Takes at most the
  * product of both lengths, as a link may hold any glob. */
@@ -54,6 +54,20 @@ function has(status: string): (cell: Cell | null) => boolean {
       return (cell) => cell?.differs === false;
     default:
       return (cell) => cell !== null && cell.verdicts.some((v) => v.status === status);
+  }
+}
+
+const longestName = 64; // a distance costs the product of both lengths, and a link may hold any name
+
+/** Throws QueryError for an engine that no column has: its terms would hold nowhere, and `not` of them everywhere. */
+export function requireKnown(engines: Named[], columns: Column[]): void {
+  for (const { name, at } of engines) {
+    const fits = glob(name);
+    if (columns.some((c) => fits(c.engine) || fits(c.label))) continue;
+    const near =
+      name.length > longestName ? undefined : columns.map((c) => c.engine).find((engine) => distance(engine.toLowerCase(), name) <= 2);
+    const hint = near ? `, did you mean '${near}'?` : '';
+    throw new QueryError(`no engine of this report is called '${name}'${hint}`, at, name.length);
   }
 }
 

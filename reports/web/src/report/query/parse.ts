@@ -16,6 +16,13 @@ export type Query =
 export interface Parsed {
   query: Query;
   columns: string[]; // globs of the columns to show; empty: all
+  engines: Named[]; // that terms speak of, any of them aside
+}
+
+/** A name in a query, and where it stands. */
+export interface Named {
+  name: string;
+  at: number;
 }
 
 /** A query that is none: what is wrong, and from which character on. */
@@ -85,7 +92,7 @@ function word(text: string, start: number): Token & { length: number } {
 }
 
 /** Edit distance, for "did you mean". */
-function distance(a: string, b: string): number {
+export function distance(a: string, b: string): number {
   let row = Array.from({ length: b.length + 1 }, (_, j) => j);
   for (let i = 1; i <= a.length; ++i) {
     const next = [i];
@@ -102,6 +109,7 @@ class Parser {
   private next = 0;
   private depth = 0;
   readonly columns: string[] = [];
+  readonly engines: Named[] = [];
 
   constructor(
     private readonly list: Token[],
@@ -186,7 +194,7 @@ class Parser {
     const after = text.slice(colon + 1);
     if (before === '') throw new QueryError('an engine is missing before the colon', token.at, text.length);
     if (!conditions.includes(after)) throw new QueryError(unknown(after), token.at + colon + 1, after.length);
-    return { kind: 'status', engine: before === 'any' ? '*' : before, status: after };
+    return { kind: 'status', engine: this.engine(before, token.at), status: after };
   }
 
   private digits(token: Token, engine: string, relation: Relation, number: string): Query {
@@ -195,7 +203,13 @@ class Parser {
       const at = token.at + token.text.length - number.length;
       throw new QueryError(`a number must follow, not '${number}'`, at, Math.max(1, number.length));
     }
-    return { kind: 'digits', engine: engine === 'any' ? '*' : engine, relation, value };
+    return { kind: 'digits', engine: this.engine(engine, token.at), relation, value };
+  }
+
+  private engine(name: string, at: number): string {
+    if (name === 'any' || name === '*') return '*';
+    this.engines.push({ name, at });
+    return name;
   }
 
   private show(token: Token, globs: string): Query {
@@ -220,5 +234,5 @@ function unknown(condition: string): string {
 export function parse(text: string): Parsed {
   const parser = new Parser(tokens(text), text.length);
   const query = parser.whole();
-  return { query, columns: parser.columns };
+  return { query, columns: parser.columns, engines: parser.engines };
 }

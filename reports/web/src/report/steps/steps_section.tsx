@@ -3,9 +3,10 @@
 import { useMemo } from 'preact/hooks';
 
 import type { Index } from '../../shared/documents';
+import { duration } from '../../shared/durations';
 import { go, link, sectionAddress, useAddress } from '../address';
 import { Build, buildsNote } from '../builds';
-import { count, duration, short, withDurations } from '../numbers';
+import { count, short } from '../numbers';
 import { withSubsteps } from '../substeps';
 import { Name, Numbers } from '../text';
 import { visible } from '../visible';
@@ -62,7 +63,7 @@ function Steps({ cell }: { cell: StepCell }) {
       </table>
       <p class="why">
         {orderText(cell)}
-        {missed ? <Numbers text={`; ${short(missed.error, 1)}: ${withDurations(missed.why)}`} /> : null}
+        {missed ? <Numbers text={`; ${short(missed.error, 1)}: ${missed.why}`} /> : null}
       </p>
     </>
   );

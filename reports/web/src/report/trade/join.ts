@@ -1,5 +1,6 @@
 // Points of a sweep with their costs, which the document keeps apart, and who dominates whom.
-import type { Status, Trade } from '../../shared/documents';
+import type { Ending, Trade } from '../../shared/documents';
+import { stepInWords } from '../../shared/durations';
 import { buildOf } from '../builds';
 
 export type Table = Trade['tables'][number];
@@ -14,7 +15,7 @@ export interface Point {
   error: number | null;
   cost: number | null; // CPU seconds per simulated second
   perBodyStep: number | null; // [s]
-  status: Status;
+  status: Ending;
   reason: string;
   onFront: boolean;
   dominatedBy: string;
@@ -85,5 +86,5 @@ export function join(trade: Trade, table: Table, measure: string): Series[] {
 
 /** "1/60" or "1/60, tolerance 1e-6". */
 export function settingOf(p: Point): string {
-  return p.tolerance === null ? p.dtText : `${p.dtText}, tolerance ${p.tolerance}`;
+  return p.tolerance === null ? stepInWords(p.dtText) : `${stepInWords(p.dtText)}, tolerance ${p.tolerance}`;
 }

@@ -1,7 +1,8 @@
 // The series of a work-precision plot as its legend, and every setting as a row.
-import type { Status } from '../../shared/documents';
+import type { Ending } from '../../shared/documents';
 import { Sample } from '../../shared/plot_marks';
-import { duration, short } from '../numbers';
+import { duration } from '../../shared/durations';
+import { short } from '../numbers';
 import { StatusMark } from '../status_mark';
 import { Foreign, Name } from '../text';
 import { useFew } from '../use_few';
@@ -90,9 +91,9 @@ export function Legend({ list, hidden, toggle }: LegendProps) {
   );
 }
 
-/** How a run ended.  No claim is judged here, so `pass` only means that the run came to its end. */
-function Ending({ status }: { status: Status }) {
-  return status === 'pass' ? <>ran</> : <StatusMark status={status} />;
+/** How a run ended. */
+function EndingMark({ status }: { status: Ending }) {
+  return status === 'ran' ? <>ran</> : <StatusMark status={status} />;
 }
 
 interface SettingsProps {
@@ -133,7 +134,7 @@ export function SettingsTable({ list, points, caption }: SettingsProps) {
                 <td class="number">{p.cost === null ? 'not timed' : short(p.cost)}</td>
                 <td class="number">{duration(p.perBodyStep)}</td>
                 <td>
-                  <Ending status={p.status} />
+                  <EndingMark status={p.status} />
                 </td>
                 <td>
                   <Foreign text={p.dominatedBy || p.reason} />

@@ -2,7 +2,8 @@
 import { useMemo, useState } from 'preact/hooks';
 
 import { lookOf, markerPath } from '../../shared/plot_marks';
-import { duration, short } from '../numbers';
+import { duration } from '../../shared/durations';
+import { short } from '../numbers';
 import { useWidth } from '../use_width';
 import { visible } from '../visible';
 import { type LogAxis, logAxis } from './axis';
