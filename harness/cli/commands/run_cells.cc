@@ -69,9 +69,11 @@ study::Matrix run_cells(const Context& context, const RunOptions& options,
     }
   }
   if (resume)
-    std::cerr << (last.request ? fmt::format("resumed: {} of {} cells are done already\n",
-                                             cells.size() - todo.size(), cells.size())
-                               : "nothing to resume: this folder has no earlier run; all cells run\n");
+    // A union of parts has cells, and no request.
+    std::cerr << (last.request || !last.cells.empty()
+                      ? fmt::format("resumed: {} of {} cells are done already\n", cells.size() - todo.size(),
+                                    cells.size())
+                      : "nothing to resume: this folder has no earlier run; all cells run\n");
 
   Progress progress(context.progress, to_run.size());
   const study::Pool pool{.workers = worker_count(context, options.jobs),
