@@ -7,6 +7,7 @@
 #include "harness/validation/length_scale.h"
 #include "harness/validation/path.h"
 #include "harness/validation/split.h"
+#include "harness/validation/touches.h"
 #include "reference/measured/coordinates.h"
 
 #include <algorithm>
@@ -17,30 +18,7 @@
 namespace cylon::validation {
 namespace {
 
-using core::BodyState, core::State, core::Vector3, measured::Experiment;
-
-struct Touch {
-  double time = 0;
-  Vector3 centre;
-};
-
-// Where the gap first comes below 5 mm, a straight line between frames: what gives in an impact, and what lengths are off,
-// is less.
-std::optional<Touch> first_touch(const Experiment& e, const std::vector<State>& states) {
-  constexpr double touching = 0.005;  // [m]
-  double before = gap(e, states.front()[0]) - touching;
-  if (before <= 0) return std::nullopt;
-  for (std::size_t i = 1; i < states.size(); ++i) {
-    const double now = gap(e, states[i][0]) - touching;
-    if (now <= 0) {
-      const double later = now / (now - before);  // share of a frame
-      return Touch{(static_cast<double>(i) - later) / e.rate,
-                   states[i][0].position + later * (states[i - 1][0].position - states[i][0].position)};
-    }
-    before = now;
-  }
-  return std::nullopt;
-}
+using core::State, core::Vector3, measured::Experiment;
 
 // Distance along the scene's plane.
 double along_plane(const Experiment& e, const Vector3& by) {
@@ -48,22 +26,11 @@ double along_plane(const Experiment& e, const Vector3& by) {
   return (by - normal.dot(by) * normal).norm();
 }
 
-// Kinetic energy, and potential energy above the height at which the centre lies on the plane [J].
-double energy(const Experiment& e, const BodyState& s) {
-  const core::Body& body = e.model.scene.bodies[e.bodies[0]];
-  const core::Plane& plane = e.model.scene.planes[0];
-  const double height = plane.normal.dot(s.position) - plane.offset,
-               g = core::gravity_of(e.model.scene, body).norm();
-  return body.mass * (s.velocity.squaredNorm() / 2 + g * height) +
-         s.angular_velocity.dot(core::world_inertia(body, s.orientation) * s.angular_velocity) / 2;
-}
-
-// Share of the energy that is gone 0.1 s after the first touch.
-std::optional<double> loss(const Experiment& e, const std::vector<State>& states) {
-  const auto touch = first_touch(e, states);
-  const auto frame = static_cast<std::size_t>(std::ceil(((touch ? touch->time : 0) + 0.1) * e.rate));
-  if (!touch || frame >= states.size()) return std::nullopt;
-  return 1 - energy(e, states[frame][0]) / energy(e, states[0][0]);
+// Of each touch that both have a loss of; not known where either has none.
+std::vector<double> differences(const std::vector<double>& one, const std::vector<double>& other) {
+  std::vector<double> all;
+  for (std::size_t k = 0; k < std::min(one.size(), other.size()); ++k) all.push_back(one[k] - other[k]);
+  return all;
 }
 
 }  // namespace
@@ -88,8 +55,9 @@ RunScore score(const Experiment& e, std::size_t run, const study::Runner& runner
       found.impact = there->time - here->time;
       found.place = along_plane(at, there->centre - here->centre);
     }
-    const auto lost_there = loss(at, path), lost_here = loss(at, states);
+    const auto lost_there = loss_after_first(at, path), lost_here = loss_after_first(at, states);
     if (lost_there && lost_here) found.loss = *lost_there - *lost_here;
+    found.touch_losses = differences(losses_of_touches(at, path), losses_of_touches(at, states));
     if (band.members > 0)
       found.covered = share_inside(range(e, run, runner, band, fitted), curves(at, states, states.front()));
   } catch (const study::RunFailed& failed) {
@@ -119,6 +87,7 @@ Answer band_answer(const Estimate& covered) { return answer(covered.interval, 0.
 Summary summary(const std::vector<RunScore>& runs) {
   Summary all{.runs = runs.size(), .first_failure = {}};
   std::vector<double> distance, angle, impact, place, loss, shares;
+  std::vector<std::vector<double>> touches;
   std::size_t same = 0;
   for (const RunScore& run : runs) {
     if (!run.failure.empty()) {
@@ -129,6 +98,9 @@ Summary summary(const std::vector<RunScore>& runs) {
     if (std::isfinite(run.impact)) impact.push_back(std::abs(run.impact));
     if (std::isfinite(run.place)) place.push_back(run.place);
     if (std::isfinite(run.loss)) loss.push_back(run.loss);
+    if (touches.size() < run.touch_losses.size()) touches.resize(run.touch_losses.size());
+    for (std::size_t k = 0; k < run.touch_losses.size(); ++k)
+      if (std::isfinite(run.touch_losses[k])) touches[k].push_back(run.touch_losses[k]);
     shares.push_back(run.covered);
   }
   const auto estimate = [](const std::vector<double>& values, auto of) {
@@ -137,6 +109,8 @@ Summary summary(const std::vector<RunScore>& runs) {
   all.distance = estimate(distance, statistics::median), all.angle = estimate(angle, statistics::median);
   all.impact = estimate(impact, statistics::median), all.loss = estimate(loss, statistics::median);
   all.place = estimate(place, statistics::median);
+  for (const std::vector<double>& of_touch : touches)
+    all.touch_losses.push_back(estimate(of_touch, statistics::median));
   all.covered = covered(shares);
   if (!distance.empty())
     all.same_side = {static_cast<double>(same) / static_cast<double>(distance.size()),

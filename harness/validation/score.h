@@ -28,6 +28,8 @@ struct RunScore {
   double place = not_known;  ///< Between the centres at their first touches, along the plane [m].
   /// Share of the energy that is lost by 0.1 s after the first touch, predicted less measured; not known where one has none.
   double loss = not_known;
+  /// Share of its energy that each touch takes, predicted less measured; NaN where either is not known (touches.h).
+  std::vector<double> touch_losses;
   double covered =
       not_known;  ///< Share of measured coordinates of later frames inside the band; not known without one.
 };
@@ -56,14 +58,15 @@ Answer band_answer(const Estimate& covered);
 struct Summary {
   std::size_t runs = 0, failed = 0;
   std::string first_failure;
-  Estimate distance;                ///< Median [m].
-  Estimate angle;                   ///< Median [rad].
-  Estimate same_side;               ///< Share.
-  Estimate impact;                  ///< Median of the absolute value [s].
-  Estimate place;                   ///< Median [m].
-  Estimate loss;                    ///< Median, with its sign.
-  Estimate covered;                 ///< Mean share inside the band.
-  Answer band = Answer::undecided;  ///< Whether the share covered is 90 to 98 %.
+  Estimate distance;                   ///< Median [m].
+  Estimate angle;                      ///< Median [rad].
+  Estimate same_side;                  ///< Share.
+  Estimate impact;                     ///< Median of the absolute value [s].
+  Estimate place;                      ///< Median [m].
+  Estimate loss;                       ///< Median, with its sign.
+  std::vector<Estimate> touch_losses;  ///< The same of each touch, of the runs in which it is known.
+  Estimate covered;                    ///< Mean share inside the band.
+  Answer band = Answer::undecided;     ///< Whether the share covered is 90 to 98 %.
 };
 
 Summary summary(const std::vector<RunScore>&);

@@ -5,6 +5,7 @@
 #include "harness/scenario/input.h"
 #include "harness/validation/kinematics.h"
 #include "harness/validation/split.h"
+#include "harness/validation/touches.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -52,6 +53,23 @@ std::string told_kinematics(const measured::Experiment& e) {
          told_slope(chain ? "angles" : "orientations", of.spin, chain ? "rates" : "angular velocities");
 }
 
+std::string told_touches(const measured::Experiment& e) {
+  const auto counts = validation::touch_counts(e);
+  if (counts.empty()) return "After no touch the body flies\n";
+  std::string out = "Touches, and the energy lost in them:\n";
+  for (std::size_t k = 0; k < counts.size(); ++k)
+    out += fmt::format("  touch {:<16} {} of {} runs fly after it, and {} tell its loss\n", k + 1,
+                       counts[k].flights, e.runs.size(), counts[k].known);
+  return out;
+}
+
+ordered_json touches_json(const measured::Experiment& e) {
+  ordered_json all = ordered_json::array();
+  for (const auto& [flights, known] : validation::touch_counts(e))
+    all.push_back({{"flights", flights}, {"known", known}});
+  return all;
+}
+
 std::string shown(const Estimate& e, double scale, const char* unit, int digits) {
   if (!std::isfinite(e.value)) return "not known";
   const std::string value = fmt::format("{:.{}f}{}", e.value * scale, digits, unit);
@@ -69,6 +87,12 @@ ordered_json to_json(const Estimate& e) {
           {"runs", e.runs}};
 }
 
+ordered_json numbers(const std::vector<double>& all) {
+  ordered_json list = ordered_json::array();
+  for (const double x : all) list.push_back(number(x));
+  return list;
+}
+
 ordered_json to_json(const RunScore& r) {
   return {{"run", r.run},
           {"failure", r.failure},
@@ -78,10 +102,13 @@ ordered_json to_json(const RunScore& r) {
           {"impact", number(r.impact)},
           {"place", number(r.place)},
           {"loss", number(r.loss)},
+          {"touch_losses", numbers(r.touch_losses)},
           {"covered", number(r.covered)}};
 }
 
 ordered_json to_json(const Summary& s) {
+  ordered_json touches = ordered_json::array();
+  for (const Estimate& one : s.touch_losses) touches.push_back(to_json(one));
   return {{"runs", s.runs},
           {"failed", s.failed},
           {"first_failure", s.first_failure},
@@ -91,6 +118,7 @@ ordered_json to_json(const Summary& s) {
           {"impact", to_json(s.impact)},
           {"place", to_json(s.place)},
           {"loss", to_json(s.loss)},
+          {"touch_losses", touches},
           {"covered", to_json(s.covered)},
           {"band", validation::name(s.band)}};
 }
@@ -106,6 +134,10 @@ std::string told(const Summary& s, int members) {
   out += fmt::format("  first touch, off by {}  ({} runs)\n", shown(s.impact, 1000, " ms", 2), s.impact.runs);
   out += fmt::format("  and its place by  {}\n", shown(s.place, 1000, " mm"));
   out += fmt::format("  energy lost, off by {}  ({} runs)\n", shown(s.loss, 100, " % of it", 1), s.loss.runs);
+  for (std::size_t k = 0; k < s.touch_losses.size(); ++k)
+    if (s.touch_losses[k].runs > 0)
+      out += fmt::format("  in touch {}, off by  {}  ({} runs)\n", k + 1,
+                         shown(s.touch_losses[k], 100, " % of it", 1), s.touch_losses[k].runs);
   return out + told_band(s.covered, s.band, members);
 }
 

@@ -17,6 +17,7 @@ std::string shown(const validation::Estimate&, double scale, const char* unit, i
 
 /// A number, or null where it is not finite.
 nlohmann::ordered_json number(double);
+nlohmann::ordered_json numbers(const std::vector<double>&);
 
 nlohmann::ordered_json to_json(const validation::Estimate&);
 nlohmann::ordered_json to_json(const validation::RunScore&);
@@ -31,6 +32,10 @@ std::string told(const validation::HorizonSummary&, int members);
 
 /// Whether the columns of places and of velocities go together, a line for each pair.
 std::string told_kinematics(const measured::Experiment&);
+
+/// In how many runs the body flies after a touch, and in how many the energy lost in it is known: a line for each touch, and as JSON.
+std::string told_touches(const measured::Experiment&);
+nlohmann::ordered_json touches_json(const measured::Experiment&);
 
 /// --dt of an experiment's model; empty: its own.  Throws core::InputError where a frame is no whole number of steps.
 void set_step(measured::Experiment&, const std::string& step);

@@ -30,12 +30,6 @@ std::string told(const Combination& c, const std::vector<measured::Parameter>& p
   return sum;
 }
 
-ordered_json numbers(const std::vector<double>& all) {
-  ordered_json list = ordered_json::array();
-  for (const double x : all) list.push_back(number(x));
-  return list;
-}
-
 ordered_json rows_of(const Eigen::MatrixXd& matrix) {
   ordered_json rows = ordered_json::array();
   for (Eigen::Index i = 0; i < matrix.rows(); ++i)

@@ -218,7 +218,7 @@ ordered_json predicted(const Context& context, const Options& options, const Tas
     all.push_back(of_runs<RunScore>(context, options, task, engine, task.runs, validation::score));
     return told_engine(context, options, task, engine, all.back());
   });
-  document["lengths"] = lengths_json(e);
+  document["lengths"] = lengths_json(e), document["touches"] = touches_json(e);
   document["nearer"] = whole ? told_nearer(options, task, all) : ordered_json::array();
   return document;
 }
@@ -301,7 +301,10 @@ int predict(const Context& context, const Options& options) {
                                              options.synthetic, options.band.seed))
                    << '\n';
   words(options) << told_kinematics(e);
-  if (e.coordinates == measured::Coordinates::free) tell_lengths(options, e);
+  if (e.coordinates == measured::Coordinates::free) {
+    tell_lengths(options, e);
+    words(options) << told_touches(e);
+  }
   if (options.band.discrepancy && options.band.members > 0)
     words(options) << fmt::format(
         "The band has the model's discrepancy of {:g} degrees of freedom: each member's errors have a factor "

@@ -271,6 +271,24 @@ TEST_F(PredictCommand, JudgesNoBandOfAnotherLevel) {
   EXPECT_NE(usual.out.find("; 90 to 98 %: "), std::string::npos) << usual.out;
 }
 
+// The cube hardly leaves the table; of a chain nothing is said of touches.
+TEST_F(PredictCommand, TellsOfWhichTouchesTheDataTellTheLoss) {
+  const std::string cubes = std::string(source_dir) + "/scenarios/measured/cube_tosses/tosses.toml";
+  const Ran ran = cylon("predict " + cubes + " --engine ode --members 0 --runs 40 --json p.json");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const json touches = document("p.json")["touches"], engine = document("p.json")["engines"][0];
+  const auto flights = touches[0]["flights"].get<int>(), known = touches[0]["known"].get<int>();
+  EXPECT_GT(flights, known);
+  const std::string line = fmt::format(
+      "touch 1                {} of 40 runs fly after it, and {} tell its loss\n", flights, known);
+  EXPECT_NE(ran.out.find(line), std::string::npos) << ran.out;
+  for (std::size_t k = 0; k < engine["touch_losses"].size(); ++k)
+    EXPECT_LE(engine["touch_losses"][k]["runs"].get<int>(), touches[k]["known"].get<int>());
+  const Ran swung = cylon("predict swings.toml --engine ode --members 0 --json p.json");
+  EXPECT_EQ(swung.out.find("touch"), std::string::npos) << swung.out;
+  EXPECT_FALSE(document("p.json").contains("touches"));
+}
+
 TEST_F(PredictCommand, RefusesValuesThatItCannotTake) {
   const std::pair<const char*, const char*> cases[] = {
       {"nosuch", "--set nosuch: must be NAME=VALUE"},
