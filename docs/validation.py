@@ -10,6 +10,7 @@ import hashlib
 import json
 import pathlib
 import re
+import resource
 import shlex
 import subprocess
 import sys
@@ -33,7 +34,11 @@ pendulums = {
 }
 # Predictions with values of the fit above them, of the first of its engines.
 fitted = {"single": ["inertia 1", "damping 1"]}
-tables = ["levels", "tosses", "cube fit", "validation", *pendulums, *(f"{arms} fit" for arms in pendulums),
+# Runs of which a band is made, 39 predictions of each, and runs of data that the engine itself made: few where predictions are dear.
+bands = {"in-house/path=stepping": (275, 100)} | dict.fromkeys(["bullet", "ode", "ode/friction-direction=slip"], (275, 275)) | {"jolt": (30, 30)}
+# Runs and folds of the cross-validation of the cube, and the engines.
+crossed = (["--runs", "12", "--folds", "2"], ["in-house/path=stepping", "bullet"])
+tables = ["levels", "tosses", "lengths", "bands", "cube fit", "cube folds", "validation", *pendulums, *(f"{arms} fit" for arms in pendulums),
           *(f"{arms} fitted" for arms in fitted)]
 
 
@@ -41,18 +46,35 @@ def words_of(command, experiment, options, of=engines):
     return [command, str(experiment.relative_to(root)), *options, *(word for engine in of for word in ("--engine", engine))]
 
 
-def found_by(cylon, words, state):
-    """What that command writes with --json."""
-    name = re.sub("[^a-z0-9]+", "-", " ".join(words))
-    folder = state / (name if len(name) < 200 else name[:180] + hashlib.sha256(name.encode()).hexdigest()[:8])
+def found_by(cylon, words, state, files=()):
+    """What that command writes with --json; `files`: where files lie that it names."""
+    folder = folder_of(words, state)
     file = folder / "found.json"
     if not file.exists():
         folder.mkdir(exist_ok=True)
-        resume = ["--resume"] if words[0] == "fit" else []
-        done = subprocess.run([cylon, words[0], str(root / words[1]), *words[2:], *resume, "--json", str(file)], cwd=folder)
+        more = ["--resume"] if words[0] == "fit" else ["--curves", "0"]  # nothing here draws curves
+        before = processor_time()
+        done = subprocess.run([cylon, words[0], str(root / words[1]), *(dict(files).get(word, word) for word in words[2:]), *more, "--json", str(file)], cwd=folder)
         if done.returncode not in (0, 1):
             sys.exit(f"{' '.join(words)} ended with {done.returncode}")
+        (folder / "cost.json").write_text(json.dumps({"processor_time": processor_time() - before}))
     return json.loads(file.read_text())
+
+
+def folder_of(words, state):
+    name = re.sub("[^a-z0-9]+", "-", " ".join(words))
+    return state / (name if len(name) < 200 else name[:180] + hashlib.sha256(name.encode()).hexdigest()[:8])
+
+
+def processor_time():
+    """Of all processes that this one started and that have ended, and of theirs [s]."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def cost(words, state):
+    """Processor time of that command, when it last ran [s]."""
+    return json.loads((folder_of(words, state) / "cost.json").read_text())["processor_time"]
 
 
 def with_interval(value, low, high, digits="{:.4g}"):
@@ -124,6 +146,11 @@ def likelier(found):
                      f"{pair['likelier']} (p = {pair['p']:.2g})" for pair in found["likelier"])
 
 
+def nearer(found):
+    return "\n".join(f"- {pair['one']} rests nearer in {pair['runs_of_one']} runs, {pair['other']} in {pair['runs_of_other']}: "
+                     f"{pair['nearer']} (p = {pair['p']:.2g})" for pair in found["nearer"])
+
+
 def predicted_rests(found):
     rows = ["| engine | runs | distance [mm] | angle [deg] | same side [%] | first touch [ms] | its place [mm] | energy lost [%] |", "|---" * 8 + "|"]
     for s in found["engines"]:
@@ -133,6 +160,37 @@ def predicted_rests(found):
         rows.append(f"| {s['engine']} | {s['runs'] - s['failed']} | {scaled(s['distance'], 1000)} | {scaled(s['angle'], 57.29577951)} | "
                     f"{scaled(s['same_side'], 100)} | {scaled(s['impact'], 1000, '{:.2f}')} | {scaled(s['place'], 1000)} | "
                     f"{scaled(s['loss'], 100)} |")
+    return "\n".join(rows)
+
+
+def covered(cylon, experiment, state):
+    """A row for each engine: the share inside its band, as the errors are stated, with the discrepancy, and of data of its own."""
+    rows = ["| engine | runs | as stated [%] | 90 to 98 % | with `--discrepancy` [%] | 90 to 98 % | with `--synthetic ENGINE` [%] | 90 to 98 % "
+            "| processor time [s] |", "|---" * 9 + "|"]
+    for engine, (runs, own) in bands.items():
+        cells, spent = [], 0
+        for of, option in ((runs, []), (runs, ["--discrepancy"]), (own, ["--synthetic", engine])):
+            words = words_of("predict", experiment, ["--runs", str(of), *option], [engine])
+            found = found_by(cylon, words, state)["engines"][0]
+            remarks = [*([f"{of} runs"] if of != runs else []), *([f"{found['failed']} failed"] if found["failed"] else [])]
+            cells += [scaled(found["covered"], 100) + (f" ({', '.join(remarks)})" if remarks else ""), found["band"]]
+            spent += cost(words, state)
+        rows.append(f"| {engine} | {runs} | {' | '.join(cells)} | {spent:.0f} |")
+    return "\n".join(rows)
+
+
+def touches(found):
+    rows = ["| touch | runs that fly after it | runs that tell its loss |", "|---" * 3 + "|"]
+    rows += [f"| {k} | {one['flights']} | {one['known']} |" for k, one in enumerate(found["touches"], 1)]
+    return "\n".join(rows)
+
+
+def unseen(stated, discrepant):
+    """Scores of runs by fits that did not see them, and shares inside the band, as the errors are stated and with the discrepancy."""
+    rows = ["| engine | runs | distance [mm] | angle [deg] | same side [%] | inside the band, as stated [%] | with `--discrepancy` [%] |", "|---" * 7 + "|"]
+    for s, other in zip(stated["engines"], discrepant["engines"], strict=True):
+        rows.append(f"| {s['engine']} | {s['runs'] - s['failed']} | {scaled(s['distance'], 1000)} | {scaled(s['angle'], 57.29577951)} | "
+                    f"{scaled(s['same_side'], 100)} | {scaled(s['covered'], 100)} | {scaled(other['covered'], 100)} |")
     return "\n".join(rows)
 
 
@@ -225,14 +283,32 @@ def main():
     cubes = folder / "cube_tosses" / "tosses.toml"
     if options.only in (None, "tosses"):
         words = words_of("predict", cubes, ["--members", "0"], all_engines)
-        put("tosses", shown(words) + ":\n\n" + predicted_rests(found_by(cylon, words, state)))
-        put("lengths", "The same command on the lengths of the data:\n\n" + lengths(found_by(cylon, words, state)))
+        found = found_by(cylon, words, state)
+        put("tosses", "\n\n".join([shown(words) + ":", predicted_rests(found), nearer(found)]))
+    if options.only in (None, "lengths"):
+        words = words_of("predict", cubes, ["--members", "0"], ["bullet"])
+        found = found_by(cylon, words, state)
+        put("lengths", f"{shown(words)}, on the lengths of the data:\n\n{lengths(found)}")
+        put("touches", f"The same command on touches:\n\n{touches(found)}")
+    if options.only in (None, "bands"):
+        put("bands", "From `cylon predict scenarios/measured/cube_tosses/tosses.toml --runs RUNS --engine ENGINE` and the option of the column:\n\n"
+            + covered(cylon, cubes, state))
     if options.only in (None, "cube fit"):
         # The in-house engine in steps, as the others: where impacts are located, each of the bounces in which a cube comes to
         # rest takes its time, and a fit thirty times as long.
         words = words_of("fit", cubes, ["--timeout", "600"], ["bullet", "ode", "in-house/path=stepping"])
         found = found_by(cylon, words, state)
         put("cube fit", "\n\n".join([judged(words, found), parameters(found), rests(found), likelier(found)]))
+    if options.only in (None, "cube folds"):
+        how, of = crossed
+        fit = words_of("fit", cubes, ["--timeout", "600", *how], of)
+        fits = found_by(cylon, fit, state)
+        evaluations = sum(one["evaluations"] for one in fits["fits"])
+        file = {"fit.json": str(folder_of(fit, state) / "found.json")}
+        predict = words_of("predict", cubes, [*how[:2], "--fit", "fit.json"], [])
+        found = [found_by(cylon, [*predict, *more], state, file) for more in ([], ["--discrepancy"])]
+        put("cube folds", "\n\n".join([f"{shown([*fit, '--json', 'fit.json'])}, {evaluations} evaluations of the likelihood, and then "
+                                       f"`cylon {shlex.join(predict)}`:", unseen(*found), likelier(fits), nearer(found[0])]))
     for arms, (how, of) in pendulums.items():
         swings = folder / f"pendulum_{arms}" / "swings.toml"
         if options.only in (None, arms):
