@@ -306,10 +306,9 @@ test('a report without a hunt says so', async () => {
 test('the run of a cell counts one body as one, and prints its step once', async () => {
   const page = await open(url('r.html'));
   await openCell(page, 'dzhanibekov', 'ode');
-  const [v] = verdicts.filter((row) => row.scenario === 'dzhanibekov' && row.engine === 'ode');
   const text = await page.locator('section[aria-labelledby="run-heading"]').innerText();
   assert.match(text, /\b1 body, tags/);
-  assert.equal(text.includes(`step\n${v.dt_text} s\n`), Number(v.dt_text) === v.dt, text);
+  assert.match(text, /step\n1 ms\n/);
 });
 
 test('sentences about costs are apart', async () => {

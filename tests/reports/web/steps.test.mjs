@@ -36,7 +36,7 @@ test('a cell says the step that the sweep found, or why there is none', async ()
   const { points } = table.series[cell.series];
   const time = / [\d.e+-]+ s\b/; // printed with a prefix
   for (const { point, why } of cell.reach)
-    for (const words of point === null ? why.split(time) : [`${1000 * points[point].dt >= 1 ? 1000 * points[point].dt : 1e6 * points[point].dt}`])
+    for (const words of point === null ? why.split(time) : [`${1e4 * points[point].dt >= 1 ? 1000 * points[point].dt : 1e6 * points[point].dt}`])
       assert.ok(text.includes(words), text);
   assert.doesNotMatch(text, /e-\d+ s\b/);
 });
