@@ -211,7 +211,7 @@ class Dop853 {
   // Rows of joints that are so near to saying the same: sin^2 of an angle.
   static constexpr Real least_share = Real(1) / 64;
   // Settling errs by rounding over this: cbrt(epsilon).
-  static constexpr Real ill_settled = epsilon < Real(1e-10) ? Real(5e-6) : Real(5e-3);
+  static constexpr Real ill_settled = Real(5e-6);
   // Of a step that the controller asks for: in a smooth motion it is less than 1.8 times too long.
   static constexpr double no_smooth_error = 100;
 
@@ -295,9 +295,11 @@ class Dop853 {
     return sum == 0 ? 0 : h * e5 / std::sqrt(sum * static_cast<double>(n_));
   }
 
-  // Whether a stage of the step was near a change point.
+  // Whether a stage of the step was near a change point.  Not asked in single precision, in which a step that goes over the
+  // place errs by more than one that comes near it.
   bool near_change(S& s) {
-    if constexpr (Dependent<S>) return weakest_ < least_share && s.weakest_alike(weak_) < least_share;
+    if constexpr (Dependent<S> && epsilon < Real(1e-10))
+      return weakest_ < least_share && s.weakest_alike(weak_) < least_share;
     return false;
   }
 
