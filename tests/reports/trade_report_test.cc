@@ -123,7 +123,7 @@ TEST(TradeReport, NamesTellRowsApart) {
   TradeTable t = table();
   t.series[1] = t.series[0];
   const std::string common = "engine/path=as-expert,solver=of-a-kind ";
-  for (const std::size_t k : {0, 1}) t.series[k].engine = common.substr(0, common.size() - 1);
+  for (std::size_t k = 0; k < 2; ++k) t.series[k].engine = common.substr(0, common.size() - 1);
   t.series[0].integrator = "merson", t.series[1].integrator = "feldberg";
   const std::string wide = trade_text(t, {.width = 130}, false),
                     narrow = trade_text(t, {.width = 100}, false);

@@ -73,7 +73,7 @@ TEST(Touches, LoseWhatTheRestitutionTakes) {
 
 TEST(Touches, AreComparedOneByOne) {
   Experiment e = measured_with(0.6);
-  for (const std::size_t k : {0, 1}) EXPECT_EQ(score(e, 0, bounces, {.members = 0}).touch_losses.at(k), 0);
+  for (std::size_t k = 0; k < 2; ++k) EXPECT_EQ(score(e, 0, bounces, {.members = 0}).touch_losses.at(k), 0);
   e.model.scene.materials[0].restitution = 0.5;
   const std::vector<double> off = score(e, 0, bounces, {.members = 0}).touch_losses;
   ASSERT_GE(off.size(), 2u);
