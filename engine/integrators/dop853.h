@@ -137,7 +137,7 @@ class Dop853 {
         h_ = crossing.next(error);
       } else if (crossing.least == 0) {
         const double smooth = rejected ? worse * std::pow(h / longer, 4) : no_smooth_error;
-        if ((!(error < smooth) || 30 * h < usual_) && near_change(s)) {
+        if ((!(error < smooth) || much_shorter * h < usual_) && near_change(s)) {
           crossing.step = usual_, crossing.least = h_;
           std::swap(h_, usual_);
         }
@@ -177,7 +177,7 @@ class Dop853 {
     if (!dense_ready_) prepare_dense(s);
     settled_at(s, t, y);
     if constexpr (Dependent<S>) {
-      const Time d = step_ / 25;
+      const Time d = step_ / 25;  // 3 d is as far as the nodes are from the middle of what they leave free
       if (!near_change_ || s.weakest() > ill_settled || t - 3 * d < begin_ || t + 3 * d > end_) return;
       std::fill_n(y, n_, Real(0));
       for (const int k : {-3, -2, -1, 1, 2, 3}) {
@@ -214,9 +214,12 @@ class Dop853 {
   static constexpr Real ill_settled = Real(5e-6);
   // Of a step that the controller asks for: in a smooth motion it is less than 1.8 times too long.
   static constexpr double no_smooth_error = 100;
+  // Steps that have become so many times shorter than those of late, each with an error that fell as it should.
+  static constexpr double much_shorter = 30;
 
   // Steps over a change point that are tried, the longest first.  Where none meets the tolerance the best of them is taken,
-  // with an error of up to 10^6 tolerances: what comes nearer to the place is worse, or ends there.
+  // with an error of up to 10^6 tolerances (1e-7 of the scales at the tolerances of `auto`), and told (rounded()): what comes
+  // nearer to the place is worse, or ends there.
   struct Crossing {
     Time step = 0, least = 0;  // that is tried, 0: none; and where the trials end
     double most = 1;           // the error that is taken

@@ -11,10 +11,11 @@ namespace {
 
 // The number and its unit.
 std::pair<double, const char*> with_prefix(double seconds) {
-  constexpr std::pair<double, const char*> units[] = {{1, "s"}, {1e-3, "ms"}, {1e-6, "µs"}, {1e-9, "ns"}};
+  constexpr std::pair<double, const char*> units[] = {
+      {1, "s"}, {1e-3, "ms"}, {1e-6, "µs"}, {1e-9, "ns"}, {1e-12, "ps"}};
   for (const auto& [scale, unit] : units)
     if (std::abs(seconds) >= 0.1 * scale) return {seconds / scale, unit};
-  return {seconds == 0 ? 0 : seconds / 1e-9, seconds == 0 ? "s" : "ns"};
+  return {seconds == 0 ? 0 : seconds / 1e-12, seconds == 0 ? "s" : "ps"};
 }
 
 // Of a number, or of one over another, and nothing else.

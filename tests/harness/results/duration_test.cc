@@ -16,7 +16,7 @@ TEST(Duration, HasALegibleUnit) {
   } rows[] = {
       {1, 3, "1 s"},        {0.1, 3, "0.1 s"},         {0.099, 3, "99 ms"},      {1.0 / 60, 3, "16.7 ms"},
       {1e-3, 3, "1 ms"},    {1e-3 / 8, 3, "0.125 ms"}, {1e-3 / 8, 2, "0.12 ms"}, {4.1e-5, 3, "41 µs"},
-      {5.3e-8, 2, "53 ns"}, {1e-12, 3, "0.001 ns"},    {1234.5, 3, "1234 s"},    {0.0135, 2, "14 ms"},
+      {5.3e-8, 2, "53 ns"}, {1e-12, 3, "1 ps"},        {1234.5, 3, "1234 s"},    {0.0135, 2, "14 ms"},
       {0, 3, "0 s"},        {-0.002, 3, "-2 ms"},      {std::nan(""), 3, ""},    {HUGE_VAL, 3, ""}};
   for (const auto& row : rows) EXPECT_EQ(duration(row.seconds, row.digits), row.text) << row.seconds;
 }

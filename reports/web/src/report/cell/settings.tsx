@@ -53,7 +53,7 @@ export function Run({ verdicts, view }: { verdicts: Verdict[]; view: ScenarioVie
           <div>
             <dt>scenario</dt>
             <dd>
-              {short(view.duration)} s, nominal step {short(view.step, 6)} s, {' '}
+              {short(view.duration)} s, nominal step {duration(view.step)}, {' '}
               {count(view.scene.body.length, 'body', 'bodies')}, tags: {visible(view.tags.join(', ') || 'none')}
             </dd>
           </div>
