@@ -58,7 +58,7 @@ class Places {
       if (!reason.empty()) return reason;
       const Real other = j.to == fixed_world ? 0 : j.to_anchor.norm();
       reason = link("a joint", j.body, point(j.body, Vector3::Zero()), point(j.to, j.to_anchor),
-                    std::max({j.length, j.anchor.norm(), other}));
+                    std::max({j.length, j.anchor.norm(), other, spread(j.body), spread(j.to)}));
     }
     return reason;
   }
@@ -105,6 +105,13 @@ class Places {
     const Real far = std::max(largest_coordinate(from), largest_coordinate(to));
     return lost(std::string(kind) + " of " + names_(Thing::body, body), far,
                 (units(from) + units(to)).norm() / 2, "its length", length);
+  }
+
+  // sqrt(sum of m r^2 / m): how far the mass of a body that turns is from its centre.
+  Real spread(int body) const {
+    if (body == fixed_world || model_.bodies[index(body)].locked) return 0;
+    const Body& b = model_.bodies[index(body)];
+    return b.mass > 0 ? std::sqrt(b.inertia.trace() / (2 * b.mass)) : Real(0);
   }
 
   Vector3 point(int body, const Vector3& anchor) const {

@@ -39,7 +39,8 @@ inline constexpr Real largest_error = Real(0.1);
 ///
 /// - Places: the error above is beyond largest_error of the half-width of a body that may touch; of the
 ///   length between the ends of a spring, an attraction or a joint (of a spring its rest length, if that is
-///   more).  A body alone may be anywhere.
+///   more; of a joint the spread of the mass that it turns, if that is more: a joint at the centre of a body
+///   has a lever of rounding alone).  A body alone may be anywhere.
 /// - Masses, of contacts located in time and of joints: the lighter of two bodies may have to carry the
 ///   heavier.  Any two bodies that may touch may come to lie on each other where a force acts; of bodies on
 ///   joints one carries another where it hangs on a second joint.

@@ -3,6 +3,7 @@
 #include "engine/geometry/facetted.h"
 #include "engine/geometry/manifold.h"
 #include "engine/joint.h"
+#include "engine/pile/islands.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,7 +82,7 @@ Quaternion orientation_of(int body, const std::vector<Motion>& motions) {
 }
 
 BodyContacts::BodyContacts(const Model& model)
-    : model_(model), seams_(model), gravity_(model.strongest_gravity()) {
+    : model_(model), seams_(model), gravity_(pressing_gravity(model)) {
   for (const Shape& shape : model.shapes) {
     radius_.push_back(bounding_radius(shape));
     round_.push_back(is_round(shape));
@@ -414,13 +415,14 @@ void BodyContacts::add_joints(const std::vector<Motion>& motions, const std::vec
   }
 }
 
-void BodyContacts::find(const std::vector<Motion>& motions, const std::vector<Mover>& movers, Time now,
-                        Time span, std::vector<Block>& blocks) {
+void BodyContacts::find(const std::vector<Motion>& motions, const std::vector<Mover>& movers,
+                        const Vector3& common, Time now, Time span, std::vector<Block>& blocks) {
   now_ = now;
   const Real h = static_cast<Real>(span), fall = gravity_ * h * h;
   for (std::size_t i = 0; i < motions.size(); ++i) {
-    travel_[i] = {h * movers[i].v, h * movers[i].w, fall};
-    margin_[i] = (movers[i].v.norm() + radius_[i] * movers[i].w.norm()) * h + fall + radius_[i] / 256;
+    const Vector3 v = movers[i].v - common;
+    travel_[i] = {h * v, h * movers[i].w, fall};
+    margin_[i] = (v.norm() + radius_[i] * movers[i].w.norm()) * h + fall + radius_[i] / 256;
   }
   std::swap(blocks, old_), std::swap(found_, old_found_);
   blocks.clear(), found_.clear();

@@ -17,8 +17,8 @@ class BodyContacts {
   explicit BodyContacts(const Model&);
 
   /// Fills `blocks` with the contacts that can matter within `span` [s], each with the impulse that the same
-  /// point had in `blocks` before, and with the joints.
-  void find(const std::vector<Motion>&, const std::vector<Mover>&, Time now, Time span,
+  /// point had in `blocks` before, and with the joints.  A velocity that all have in common brings none near another.
+  void find(const std::vector<Motion>&, const std::vector<Mover>&, const Vector3& common, Time now, Time span,
             std::vector<Block>& blocks);
 
   /// What find() could not do as it should so far.
@@ -49,7 +49,7 @@ class BodyContacts {
 
   const Model& model_;
   Seams seams_;
-  Real gravity_;  // the strongest [m/s^2]
+  Real gravity_;  // pressing_gravity() [m/s^2]
   Real smallest_ = 0;
   std::vector<Real> radius_, margin_;
   std::vector<Travel> travel_;  // in the step, per body

@@ -55,7 +55,8 @@ BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings, st
       stands_(model_.bodies.size(), 0),
       steps_(first),
       struck_(model_.bodies.size(), 0),
-      gravity_(model.strongest_gravity()),
+      gravity_(pressing_gravity(model)),
+      common_gravity_(common_gravity(model)),
       other_forces_(!model.forces.only_gravity() || model.has_own_gravity()),
       isolated_(isolated(model)),
       paired_(any_force(model_.forces, [this](const auto& force) {
@@ -183,12 +184,13 @@ void BodyPile::carry_impulses() {
   }
 }
 
-// p += h v with the velocity that met the contacts' laws; the rotation is that of a free body, exact: it
-// keeps L and the energy.
+// p += h v with the velocity that met the contacts' laws, and for what all bodies have in common with that of the middle of
+// the step; the rotation is that of a free body, exact: it keeps L and the energy.
 void BodyPile::drift(Real h) {
+  const Vector3 fall = h / 2 * common_gravity_;
   for (std::size_t i = 0; i < motions_.size(); ++i) {
     if (model_.bodies[i].locked || !takes(i)) continue;
-    motions_[i].position += h * movers_[i].v;
+    motions_[i].position += h * (movers_[i].v - fall);
     if (movers_[i].w.isZero(0)) continue;
     motions_[i].orientation =
         free_flow(model_.bodies[i], motions_[i].orientation, motions_[i].angular_momentum, h);
@@ -212,10 +214,21 @@ void BodyPile::find_limits(Time now) {
   log_.note(DiagnosticKind::stiff, now, stiff_parts_, {}, limit_.reason);
 }
 
+// What all bodies of an isolated model have in common brings none of them nearer to another, and divides no step.
+Vector3 BodyPile::common_velocity() const {
+  Vector3 momentum = Vector3::Zero();
+  if (!isolated_) return momentum;
+  Real mass = 0;
+  for (std::size_t i = 0; i < movers_.size(); ++i)
+    momentum += model_.bodies[i].mass * movers_[i].v, mass += model_.bodies[i].mass;
+  return momentum / mass;
+}
+
 int BodyPile::parts_of_step() const {
   if (found_.smallest() == 0) return 1;
+  const Vector3 common = common_velocity();
   Real fastest = 0;
-  for (const Mover& mover : movers_) fastest = std::max(fastest, mover.v.squaredNorm());
+  for (const Mover& mover : movers_) fastest = std::max(fastest, (mover.v - common).squaredNorm());
   const Real parts = std::ceil(2 * std::sqrt(fastest) * static_cast<Real>(dt_) / found_.smallest());
   return static_cast<int>(std::min(std::max(parts, Real(1)), Real(most_step_parts + 1)));
 }
@@ -243,7 +256,7 @@ void BodyPile::step() {
 }
 
 void BodyPile::find_contacts(Time now, Time span) {
-  found_.find(motions_, movers_, now, span, blocks_);
+  found_.find(motions_, movers_, common_velocity(), now, span, blocks_);
   if (isolated_) islands_.find(blocks_);
   if (keep_) pressed_.assign(blocks_.size(), Vector3::Zero());
   divide(static_cast<Real>(span));

@@ -40,6 +40,7 @@ class BodyPile : public Stepper {
 
  private:
   static constexpr int awake = -1;  // of rest_
+  Vector3 common_velocity() const;
   int parts_of_step() const;
   int parts_from(Time now);
   void find_limits(Time now);
@@ -157,7 +158,8 @@ class BodyPile : public Stepper {
   double swept_to_ = 0;  // largest change of a velocity that the last sweep of a step left, or made [m/s]
   int swept_times_ = 0;  // sweeps over the contacts in that step
   DiagnosticLog log_;
-  Real gravity_ = 0;  // the strongest [m/s^2]
+  Real gravity_ = 0;  // pressing_gravity() [m/s^2]
+  Vector3 common_gravity_;
   bool other_forces_ = false, isolated_ = false;
   bool steady_ = true;     // a step is at most half of one in which forces do not overshoot
   std::size_t laws_ = 0;   // of the model that was given; rotors that stand by themselves come after them

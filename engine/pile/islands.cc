@@ -33,6 +33,25 @@ bool isolated(const Model& model) {
          std::none_of(model.joints.begin(), model.joints.end(), to_world);
 }
 
+Vector3 common_gravity(const Model& model) {
+  Vector3 weight = Vector3::Zero();
+  if (!isolated(model)) return weight;
+  if (!model.has_own_gravity()) return model.forces.gravity;
+  Real mass = 0;
+  for (std::size_t i = 0; i < model.bodies.size(); ++i)
+    weight += model.bodies[i].mass * model.gravity_of(i), mass += model.bodies[i].mass;
+  return weight / mass;
+}
+
+Real pressing_gravity(const Model& model) {
+  const Vector3 common = common_gravity(model);
+  if (common.isZero(0)) return model.strongest_gravity();
+  Real strongest = 0;
+  for (std::size_t i = 0; i < model.bodies.size(); ++i)
+    strongest = std::max(strongest, (model.gravity_of(i) - common).norm());
+  return strongest;
+}
+
 void meet_halfway(std::vector<Block>& blocks, const std::vector<Motion>& motions) {
   for (Block& block : blocks) {
     if (block.angular || block.is_along_normal() || block.b == fixed_world) continue;

@@ -11,6 +11,12 @@ namespace cylon::engine::pile {
 /// Nothing in the model can take up momentum: no plane, no locked body, no joint to the world.
 bool isolated(const Model&);
 
+/// Of the centre of mass of an isolated model [m/s^2]: with it all bodies fall alike, and none presses on another.
+/// Otherwise none.
+Vector3 common_gravity(const Model&);
+/// With how much bodies can press on each other by their weight [m/s^2]: the strongest gravity, beside the common one.
+Real pressing_gravity(const Model&);
+
 /// Impulses act on both bodies at one point, midway between the two anchors, wherever these have moved since
 /// the contact was found: then they change neither momentum of the pair.  Where a joint keeps its points apart, at that
 /// which was found.

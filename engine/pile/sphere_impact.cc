@@ -17,7 +17,7 @@ Real time_of_contact(const Vector3& d, const Vector3& v, Real reach) {
 }
 
 SphereImpacts::SphereImpacts(const Model& model)
-    : planes_(model.planes), gravity_(model.strongest_gravity()), alone_(isolated(model)) {}
+    : planes_(model.planes), gravity_(pressing_gravity(model)), alone_(isolated(model)) {}
 
 // From where the straight paths of both began: before that they were elsewhere.
 SphereImpacts::Meeting SphereImpacts::meeting(const Approaching& pair, const Spheres& spheres,

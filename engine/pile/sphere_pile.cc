@@ -29,7 +29,7 @@ SpherePile::SpherePile(const Model& model, Time dt, const PileSettings& settings
       first_(first),
       steps_(first),
       alone_(isolated(model)),
-      gravity_(model.strongest_gravity()) {
+      gravity_(pressing_gravity(model)) {
   for (int i = 0; i < spheres_.count; ++i) {
     const Real r = spheres_.p(i)[3];
     if (r > 0) smallest_ = smallest_ > 0 ? std::min(smallest_, r) : r;
@@ -84,12 +84,25 @@ void SpherePile::set_kick() {
               : 0;
 }
 
+// As of all bodies (BodyPile): of an isolated model.
+Vector3 SpherePile::common_velocity() const {
+  Vector3 momentum = Vector3::Zero();
+  if (!alone_) return momentum;
+  Real mass = 0;
+  for (int i = 0; i < spheres_.count; ++i) {
+    const Real* v = spheres_.v(i);
+    momentum += Vector3(v[0], v[1], v[2]) / v[3], mass += 1 / v[3];
+  }
+  return momentum / mass;
+}
+
 // So many that no body moves farther than half the smallest radius in a part.
 int SpherePile::parts_of_step() const {
+  const Vector3 common = common_velocity();
   Real fastest = 0;
   for (int i = 0; i < spheres_.count; ++i) {
     const Real* v = spheres_.v(i);
-    fastest = std::max(fastest, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    fastest = std::max(fastest, (Vector3(v[0], v[1], v[2]) - common).squaredNorm());
   }
   if (smallest_ == 0) return 1;
   const Real parts = std::ceil(2 * std::sqrt(fastest) * static_cast<Real>(dt_) / smallest_);
@@ -199,17 +212,21 @@ void SpherePile::note_pressed() {
 }
 
 // Each part begins without impulses: those of the part before belong to where the bodies were, and nothing
-// rests on anything here.
+// rests on anything here.  Half of what gravity does in a part comes before the bodies move, so that free fall is exact.
 void SpherePile::advance_alone(Time span) {
   const int n = settings_.substeps;
   const Real h = static_cast<Real>(span / n);
   Real* const velocity = spheres_.velocity.data();
   Real* const place = spheres_.place.data();
   const Lanes inverse_h = spread(1 / h);
+  const auto kick = [&] {
+    for (std::size_t k = 0; k < spheres_.velocity.size(); ++k) velocity[k] += h / 2 * spheres_.kick[k];
+  };
   for (int part = 0; part < n; ++part) {
-    for (std::size_t k = 0; k < spheres_.velocity.size(); ++k) velocity[k] += h * spheres_.kick[k];
+    kick();
     found_.sweep([&](const auto& batch) { solve_alone(batch, velocity, place, inverse_h); });
     drift_alone(h);
+    kick();
   }
   const Lanes share = spread(settings_.relaxation), slop = spread(settings_.slop * smallest_);
   found_.sweep([&](const auto& batch) { separate_alone(batch, velocity, place, share, slop); });

@@ -25,6 +25,7 @@ class SpherePile : public Stepper {
  private:
   void order_bodies();
   void set_kick();
+  Vector3 common_velocity() const;
   int parts_of_step() const;
   void advance_part(Time now, Time span);
   void advance_alone(Time span);
@@ -63,7 +64,7 @@ class SpherePile : public Stepper {
   };
   std::vector<Smooth> smooth_;  // of each sphere
   bool alone_ = false;
-  Real gravity_ = 0;  // the strongest [m/s^2]
+  Real gravity_ = 0;  // pressing_gravity() [m/s^2]
 };
 
 }  // namespace cylon::engine::pile

@@ -51,10 +51,6 @@ std::vector<core::Pair> watched(const Scenario& scenario) {
   return pairs;
 }
 
-void add_detail(Verdict& row, const std::string& sentence) {
-  row.detail += fmt::format("{}{}", row.detail.empty() ? "" : "; ", sentence);
-}
-
 constexpr const char* at_the_file = "the times of the file";
 
 // Where a claim looks: `sampling` below asks the run for these.
@@ -156,14 +152,6 @@ void judge_uncertain(Verdict& row, const Claim& claim, const Cell& cell, PushedR
   judge(row, claim, cell, measured, recordings, first_bad_step);
 }
 
-constexpr int usual_copies = 2;  // of a scenario that says it is chaotic
-
-int copies_of(const Cell& cell) {
-  const auto& tags = cell.scenario->tags;
-  const bool chaotic = std::find(tags.begin(), tags.end(), "chaos") != tags.end();
-  return cell.copies > 0 ? cell.copies : chaotic ? usual_copies : 0;
-}
-
 void measure_spread(const Cell& cell, const Sampling& plan, const process::Limits& limits,
                     const core::Recording& recording, std::vector<Verdict>& rows) {
   const Scenario& scenario = *cell.scenario;
@@ -173,18 +161,14 @@ void measure_spread(const Cell& cell, const Sampling& plan, const process::Limit
     const process::RunOutcome outcome = record(cell, nudged, cell.dt, plan, limits);
     for (std::size_t k = 0; k < rows.size(); ++k) {
       if (!outcome.recording) {
-        add_detail(rows[k], fmt::format("copy {}, started one ulp apart: {}, {}", i + 1,
-                                        results::name(outcome.status), outcome.reason));
+        tell_failed_copy(rows[k], i, outcome);
         continue;
       }
       const double apart = spread(scenario.claims[k], scenario.scene, recording, *outcome.recording);
       rows[k].spread = core::worst(apart, rows[k].spread.value_or(0));
     }
   }
-  for (Verdict& row : rows)
-    if (row.spread)
-      add_detail(row, fmt::format("{} runs that start one ulp apart end at a distance of {:.2g}{}{}", copies,
-                                  *row.spread, row.unit.empty() ? "" : " ", row.unit));
+  for (Verdict& row : rows) tell_spread(row, copies);
 }
 
 // Whole steps up to the end of a claim.

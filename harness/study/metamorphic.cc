@@ -2,8 +2,11 @@
 
 #include "harness/core/measure.h"
 #include "harness/core/recording.h"
+#include "harness/core/worst.h"
+#include "harness/study/relation_tools.h"
 #include "harness/study/relations.h"
 #include "harness/study/row.h"
+#include "harness/study/spread.h"
 
 #include <fmt/format.h>
 
@@ -34,6 +37,21 @@ double horizon(const scenario::Scenario& scenario) {
 
 void fail(Verdict& row, const process::RunOutcome& outcome) {
   row.status = outcome.status, row.detail = outcome.reason, row.complaints = outcome.stderr_tail;
+}
+
+// How far the states of runs that start one ulp apart get from each other: below that no relation says anything.
+void measure_spread(const Cell& cell, const Subject& subject, const Runner& run, std::vector<Verdict>& rows) {
+  const int copies = copies_of(cell);
+  for (int i = 0; i < copies; ++i) {
+    try {
+      const core::Recording copy = again(subject, run, one_ulp_apart(subject.scene, i, copies));
+      const double apart = worst(subject, copy, [](const core::State& state, double) { return state; });
+      for (Verdict& row : rows) row.spread = core::worst(apart, row.spread.value_or(0));
+    } catch (const RunFailed& failed) {
+      for (Verdict& row : rows) tell_failed_copy(row, i, failed.outcome);
+    }
+  }
+  for (Verdict& row : rows) tell_spread(row, copies);
 }
 
 }  // namespace
@@ -101,6 +119,7 @@ std::vector<Verdict> relate(const Cell& cell, const process::Limits& limits,
       rows[i].detail = "in the transformed run: " + rows[i].detail;
     }
   }
+  if (!bad) measure_spread(cell, subject, run, rows);
   return rows;
 }
 

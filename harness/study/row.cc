@@ -1,5 +1,9 @@
 #include "harness/study/row.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 namespace cylon::study {
 
 results::Verdict open_row(const Cell& cell, const std::string& claim,
@@ -38,6 +42,28 @@ void sign(results::Verdict& row, const core::Engine& engine, const core::Terms& 
   for (const core::Setting& setting : terms.settings) row.settings.emplace_back(setting.name, setting.value);
   row.unforceable = terms.unforceable;
   row.version_listed = engine.version.empty() || expectations.version_listed(engine.name, engine.version);
+}
+
+void add_detail(results::Verdict& row, const std::string& sentence) {
+  row.detail += fmt::format("{}{}", row.detail.empty() ? "" : "; ", sentence);
+}
+
+int copies_of(const Cell& cell) {
+  constexpr int usual = 2;
+  const auto& tags = cell.scenario->tags;
+  const bool chaotic = std::find(tags.begin(), tags.end(), "chaos") != tags.end();
+  return cell.copies > 0 ? cell.copies : chaotic ? usual : 0;
+}
+
+void tell_failed_copy(results::Verdict& row, int copy, const process::RunOutcome& outcome) {
+  add_detail(row, fmt::format("copy {}, started one ulp apart: {}, {}", copy + 1,
+                              results::name(outcome.status), outcome.reason));
+}
+
+void tell_spread(results::Verdict& row, int copies) {
+  if (!row.spread) return;
+  add_detail(row, fmt::format("{} runs that start one ulp apart end at a distance of {:.2g}{}{}", copies,
+                              *row.spread, row.unit.empty() ? "" : " ", row.unit));
 }
 
 }  // namespace cylon::study

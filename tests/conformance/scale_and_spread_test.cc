@@ -17,9 +17,10 @@
 namespace cylon::conformance {
 namespace {
 
-std::vector<results::Verdict> judged(const scenario::Scenario& scenario, double scale, int copies) {
+std::vector<results::Verdict> judged(const scenario::Scenario& scenario, double scale, int copies,
+                                     study::Exam exam = study::Exam::claims) {
   study::Cell cell{&scenario, engine("in-house"), scenario.step, scenario.step_text, "", ""};
-  cell.tolerance_scale = scale, cell.copies = copies;
+  cell.tolerance_scale = scale, cell.copies = copies, cell.exam = exam;
   return study::run(cell, process::Limits{}, scenario::Expectations{});
 }
 
@@ -129,6 +130,22 @@ TEST(Spread, DistinguishesChaosFromRegularMotion) {
     EXPECT_FALSE(row.spread) << row.claim;
   EXPECT_NE(judged(shipped("double_pendulum"), 1, 0).at(0).detail.find("2 runs that start one ulp apart end"),
             std::string::npos);
+}
+
+// `--spread` was taken and did nothing there.  In units of the scene's scales.
+TEST(Spread, StandsBesideTheRelationsToo) {
+  const auto relations = [](const char* name, int copies) {
+    return judged(shipped(name), 1, copies, study::Exam::relations);
+  };
+  const auto regular = relations("projectile", 2), chaotic = relations("double_pendulum", 0);
+  for (const auto* rows : {&regular, &chaotic})
+    for (const results::Verdict& row : *rows) {
+      ASSERT_TRUE(row.spread) << row.claim;
+      EXPECT_NE(row.detail.find("2 runs that start one ulp apart end"), std::string::npos) << row.detail;
+    }
+  EXPECT_LT(*regular.front().spread, 1e-14);
+  EXPECT_GT(*chaotic.front().spread, 100 * *regular.front().spread);
+  EXPECT_FALSE(relations("projectile", 0).front().spread);
 }
 
 }  // namespace

@@ -165,6 +165,17 @@ TEST(Resolution, SingleBodyMayBeAnywhere) {
   EXPECT_EQ(unsupported(ball_alone(1000 * lost(1)), automatic()), "");
 }
 
+// A joint at the centre of a body has a lever of rounding alone, which is no length that the motion needs.
+TEST(Resolution, AJointAtTheCentreOfABodyIsAccepted) {
+  for (const Real rounding : {Real(0), Real(1), Real(3)}) {
+    const Real x = Real(0.5);
+    Model model = pendulum(x);
+    model.joints[0].anchor = {0, 0, rounding * epsilon * x};
+    model.joints[0].to_anchor = {x, Real(0.1), rounding * epsilon * x};
+    EXPECT_EQ(unsupported(model, automatic()), "") << rounding;
+  }
+}
+
 // Two ends in one place, and no rest length: nothing says how fine the motion will be.
 TEST(Resolution, SpringOfZeroLengthIsAccepted) {
   Model model = spring(lost(1));
