@@ -29,6 +29,8 @@ struct Hull {
   std::vector<std::vector<int>> faces;    ///< Plane polygons, counter-clockwise seen from outside.
   std::vector<Vector3> normals;           ///< Outward, unit; one per face.
   std::vector<std::array<int, 4>> edges;  ///< From vertex, to vertex, face on its left, face on its right.
+  Real half_width =
+      0;  ///< Half the way from a face to the vertex farthest behind it, the least [m]; of a triangle 0.
 };
 
 /// The convex hull of two discs across y: a cylinder, or a cone where one of them is a point.

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -218,6 +219,20 @@ std::optional<Hull> hull_within(const Cloud& cloud, const std::vector<std::array
   return {};
 }
 
+// A triangle has none.
+Real half_width(const Hull& hull) {
+  const auto vertex = [&](int i) { return hull.vertices[static_cast<std::size_t>(i)]; };
+  Real least = std::numeric_limits<Real>::max(), most = 0;
+  for (const auto& face : hull.faces) {
+    const Vector3 p = vertex(face[0]), q = vertex(face[1]), r = vertex(face[2]);
+    const Vector3 n = (q - p).cross(r - p).normalized();
+    Real depth = 0;
+    for (const Vector3& v : hull.vertices) depth = std::max(depth, n.dot(p - v));
+    least = std::min(least, depth / 2), most = std::max(most, (q - p).norm());
+  }
+  return least > 16 * epsilon * most ? least : 0;
+}
+
 }  // namespace
 
 Hull make_hull(const std::vector<Vector3>& points) {
@@ -226,7 +241,10 @@ Hull make_hull(const std::vector<Vector3>& points) {
   const auto triangles = triangle_hull(jogged(cloud), first);
   // Wider tolerances for clouds whose points are in a plane but for noise above rounding.
   for (double tolerance = flatness; tolerance < std::sqrt(eps); tolerance *= 4)
-    if (const auto hull = hull_within(cloud, triangles, tolerance * cloud.size)) return *hull;
+    if (auto hull = hull_within(cloud, triangles, tolerance * cloud.size)) {
+      hull->half_width = half_width(*hull);
+      return *std::move(hull);
+    }
   throw std::invalid_argument("hull: points are too nearly in a plane, in a line or the same");
 }
 
@@ -254,6 +272,8 @@ bool is_convex(const std::vector<Vector3>& vertices, const std::vector<std::arra
   for (const auto& [edge, count] : times)
     if (times.find({edge.second, edge.first}) == times.end()) return false;
   const double tolerance = flatness * (high - low).norm();
+  std::set<int> corners;
+  for (const auto& t : triangles) corners.insert(t.begin(), t.end());
   for (const auto& t : triangles) {
     const auto at = [&](std::size_t k) {
       return Point(vertices[static_cast<std::size_t>(t[k])].cast<double>());
@@ -262,9 +282,8 @@ bool is_convex(const std::vector<Vector3>& vertices, const std::vector<std::arra
     const double longest = std::max({(at(1) - at(0)).norm(), (at(2) - at(0)).norm(), (at(2) - at(1)).norm()});
     // the plane of a sliver is known to `tolerance` over its height, n/longest, at the distance of the size
     const double slack = tolerance * (n.norm() + longest * longest);
-    for (const auto& other : triangles)
-      for (const int i : other)
-        if (!(n.dot(vertices[static_cast<std::size_t>(i)].cast<double>() - at(0)) <= slack)) return false;
+    for (const int i : corners)
+      if (!(n.dot(vertices[static_cast<std::size_t>(i)].cast<double>() - at(0)) <= slack)) return false;
   }
   return true;
 }

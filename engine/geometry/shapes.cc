@@ -38,18 +38,7 @@ struct HalfWidth {
   Real operator()(const Sphere& sphere) const { return sphere.radius; }
   Real operator()(const Box& box) const { return box.half_extents.minCoeff(); }
   Real operator()(const Capsule& capsule) const { return capsule.radius; }
-  Real operator()(const Hull& hull) const {
-    const auto vertex = [&](int i) { return hull.vertices[static_cast<std::size_t>(i)]; };
-    Real least = std::numeric_limits<Real>::max(), most = 0;
-    for (const auto& face : hull.faces) {
-      const Vector3 p = vertex(face[0]), q = vertex(face[1]), r = vertex(face[2]);
-      const Vector3 n = (q - p).cross(r - p).normalized();
-      Real depth = 0;
-      for (const Vector3& v : hull.vertices) depth = std::max(depth, n.dot(p - v));
-      least = std::min(least, depth / 2), most = std::max(most, (q - p).norm());
-    }
-    return least > 16 * epsilon * most ? least : 0;  // a triangle has none
-  }
+  Real operator()(const Hull& hull) const { return hull.half_width; }
   // Across the discs, across the axis, and across the side, whose outward normal is (h, r_low - r_high)/s.
   Real operator()(const Frustum& s) const {
     const Real h = s.high - s.low, slope = s.low_radius - s.high_radius;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "engine/pile/block.h"
-#include "engine/pile/envelope.h"
+#include "engine/pile/block_factor.h"
+
+#include <Eigen/LU>
 
 #include <cstdint>
 #include <limits>
@@ -45,18 +47,19 @@ class Direct {
   using M6 = Eigen::Matrix<double, 6, 6>;
   struct Row {
     Block* block;
-    int a, b;  // where their six velocities begin, or -1
+    int a, b;           // where their six velocities begin, or -1
+    std::size_t where;  // of two that move: the block of the matrix
     V3 arm, to_arm, n, bias, lambda, best, f;
     V3 before, change;  // of the round before: its f, and f - lambda
     M3 space;
     M3 turn, to_turn;  // u = v_a + turn w_a - (v_b + to_turn w_b) + bias
     double stiffness, limit, start_limit, target, pitch;
-    M3 slope;           // -df/du
-    bool skew = false;  // the slope is not symmetric
+    M3 slope;   // the symmetric part of -df/du; the rest is
+    V3 skewed;  // skewed n^T
   };
 
   void set_up(std::vector<Block>&, const std::vector<Body>&, const std::vector<Mover>&);
-  void order(const std::vector<Block>&, const std::vector<Mover>&);
+  void place(const std::vector<Block>&, const std::vector<Mover>&);
   bool holds_in_loops() const;
   void make_consistent(std::vector<V3>& x);
   void reconcile_biases();
@@ -66,11 +69,11 @@ class Direct {
   void fill_gradient();  // M (V - c) - J^T f
   double slope_along(const Vector& way);
   static M6 part(const Row&, const M3& turn, const M3& other);
-  // add(at, other, part of -J^T df/dV there), for each two bodies of each row that move.
-  template <class Add>
-  void add_slopes(Add add) const;
   void factor();
   bool couple();
+  bool factor_skewed();
+  void solve_skewed(Vector&);
+  void subtract_product(const Vector& x, Vector& to);
   void take(bool extrapolated);
   void add_impulse(const Row&, const V3&, Vector&) const;
   void minimise();
@@ -80,24 +83,14 @@ class Direct {
   std::vector<int> bodies_;
   std::vector<Row> rows_;
   std::vector<M6> masses_, inverses_, loose_;
-  Envelope matrix_;
-  Eigen::MatrixXd dense_;
-  Vector start_, free_, centre_, v_, gradient_, way_, push_;
+  BlockFactor matrix_;
+  Eigen::MatrixXd along_, unskewed_, few_;  // of solve_skewed()
+  Eigen::PartialPivLU<Eigen::MatrixXd> few_factored_;
+  std::vector<const Row*> skew_rows_;
+  Vector few_rates_, column_, start_, free_, centre_, v_, gradient_, way_, push_;
   double residual_ = 0;
   std::int64_t operations_ = 0, last_ = std::numeric_limits<std::int64_t>::max();  // no more than these
   double rounding_ = 0;  // of a velocity that impulses give [m/s]
 };
-
-template <class Add>
-void Direct::add_slopes(Add add) const {
-  for (const Row& row : rows_) {
-    if (row.slope.isZero(0)) continue;
-    if (row.a >= 0) add(row.a, row.a, part(row, row.turn, row.turn));
-    if (row.b >= 0) add(row.b, row.b, part(row, row.to_turn, row.to_turn));
-    if (row.a < 0 || row.b < 0) continue;
-    add(row.a, row.b, M6(-part(row, row.turn, row.to_turn)));
-    add(row.b, row.a, M6(-part(row, row.to_turn, row.turn)));
-  }
-}
 
 }  // namespace cylon::engine::pile

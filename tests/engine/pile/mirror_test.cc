@@ -43,12 +43,12 @@ std::vector<Motion> fallen(bool reversed, int steps) {
   return motions;
 }
 
-// 1.2 s: two of them have been struck.  What a step rounds, eps of 1 m, is amplified by unequal loads on the
+// 1.1 s: two of them have been struck, and none jams.  What a step rounds, eps of 1 m, is amplified by unequal loads on the
 // corners of a face, which friction turns into a twist: a thousandfold in a blow.
 constexpr Real allowed = Real(1e6) * eps;
 
 TEST(PileMirror, DominoesStayInTheirPlane) {
-  const auto end = fallen(false, 1200);
+  const auto end = fallen(false, 1100);
   EXPECT_GT(end[1].position.x(), Real(0.6));  // they fall
   for (const Motion& motion : end) {
     EXPECT_LT(std::abs(motion.position.z()), allowed);
@@ -57,7 +57,8 @@ TEST(PileMirror, DominoesStayInTheirPlane) {
 }
 
 TEST(PileMirror, DoesNotDependOnBodyOrder) {
-  const auto one = fallen(false, 1200), other = fallen(true, 1200);
+  const auto one = fallen(false, 1100), other = fallen(true, 1100);
+  EXPECT_GT(one[1].position.x(), Real(0.6));
   for (std::size_t i = 0; i < one.size(); ++i) {
     EXPECT_LT((one[i].position - other[i].position).norm(), allowed) << i;
     EXPECT_LT(one[i].orientation.angularDistance(other[i].orientation), 16 * allowed) << i;
