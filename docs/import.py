@@ -2,11 +2,13 @@
 """Imports every scene of a corpus, runs what can be said for one second on every engine, and writes the tables of
 docs/import.md, all from this one run.
 
-    docs/import.py CORPUS [--cylon build/release/cylon] [--engine ID …] [--no-runs] [--keep FOLDER]
+    docs/import.py CORPUS [--cylon build/release/cylon] [--engine ID …] [--no-runs | --relations] [--keep FOLDER]
     docs/import.py --of FOLDER/results.jsonl
 
-CORPUS is a folder of folders, one per project, or $CYLON_CORPUS; nothing of it is part of this repository.  --keep
-leaves the scenarios and a file `results.jsonl`, one line a file, in a folder; --of writes the tables of such a file anew.
+CORPUS is a folder of folders, one per project, or $CYLON_CORPUS; nothing of it is part of this repository.  --relations
+asks the relations of `cylon run --metamorphic` in place of the claims, and writes their tables alone.  --keep leaves the
+scenarios and a file `results.jsonl`, one line a file, in a folder; files that it has already are not done again, so that
+an interrupted run goes on.  --of writes the tables of such a file anew.
 """
 import argparse
 import collections
@@ -78,23 +80,49 @@ def outcome(rows):
     return max(judged, key=lambda status: OUTCOMES.index(status) if status in OUTCOMES else len(OUTCOMES)), ""
 
 
-def runs(cylon, scene, engines):
-    """engine -> (outcome, reason)."""
-    if "[[claim]]" not in pathlib.Path(scene).read_text(encoding="utf-8"):
-        return {engine: ("nothing moves", "") for engine in engines}
-    command = [cylon, "run", scene, "--jobs", "1", "--timeout", str(PATIENCE), "--json", "-",
+def verdicts(cylon, scene, engines, *options):
+    """engine -> its rows, or a complaint."""
+    command = [cylon, "run", scene, "--jobs", "1", "--timeout", str(PATIENCE), "--json", "-", *options,
                *(word for engine in engines for word in ("--engine", engine))]
     with tempfile.TemporaryDirectory() as own:  # one cylon at a time keeps its journal in a folder
-        _, out, error = called(command, 2 * PATIENCE * len(engines) + 60, own)
+        _, out, error = called(command, 2 * PATIENCE * len(engines) * (20 if options else 1) + 60, own)
     try:
         rows = json.loads(out)["verdicts"]
     except (json.JSONDecodeError, KeyError):
-        return {engine: ("no report", error.strip()[-300:]) for engine in engines}
-    found = {engine: [row for row in rows if row["engine"] == engine] for engine in engines}
-    return {engine: outcome(mine) if mine else ("no report", "") for engine, mine in found.items()}
+        return {}, error.strip()[-300:]
+    return {engine: [row for row in rows if row["engine"] == engine] for engine in engines}, ""
 
 
-def followed(cylon, file, scene, engines):
+def runs(cylon, scene, engines):
+    """engine -> (outcome, reason)."""
+    found, complaint = verdicts(cylon, scene, engines)
+    return {engine: outcome(found[engine]) if found.get(engine) else ("no report", complaint) for engine in engines}
+
+
+# Runs that begin one ulp apart may get so far from each other, as a part of what a relation allows: its transformed run is
+# many roundings away from the plain one.
+ROUNDING = 0.01
+
+
+def related(cylon, scene, engines):
+    """engine -> (outcome of the scene, the relations that it breaks)."""
+    found, complaint = verdicts(cylon, scene, engines, "--metamorphic", "--spread", "2")
+
+    def judged(rows):
+        asked = [row for row in rows if row["status"] != "unsupported"]
+        if not asked:
+            return "refused", []
+        stopped = [row["status"] for row in asked if row["status"] not in ("pass", "undecided", "low-quality", "fail")]
+        if stopped:
+            return max(stopped, key=lambda status: OUTCOMES.index(status) if status in OUTCOMES else len(OUTCOMES)), []
+        broken = [row for row in asked if row["status"] in ("low-quality", "fail")]
+        lasting = [row for row in broken if row["allowed"] == 0 or (row.get("spread") or 0) < ROUNDING * row["allowed"]]
+        return "broken" if lasting else "rounding" if broken else "held", [row["claim"] for row in lasting]
+
+    return {engine: judged(found[engine]) if found.get(engine) else ("no report", complaint) for engine in engines}
+
+
+def followed(cylon, file, scene, engines, ask):
     """What becomes of one file, from the import to the engines."""
     code, _, message = called([cylon, "import", file, "-o", scene], 120)
     if code != 0:
@@ -102,7 +130,9 @@ def followed(cylon, file, scene, engines):
     valid, _, complaint = called([cylon, "validate", scene], 120)
     if valid != 0:
         return {"code": 5, "message": f"what was imported is not valid: {complaint}", "runs": {}}
-    return {"code": 0, "message": message, "runs": runs(cylon, scene, engines) if engines else {}}
+    if "[[claim]]" not in pathlib.Path(scene).read_text(encoding="utf-8"):
+        return {"code": 0, "message": message, "runs": {engine: ("nothing moves", "") for engine in engines}}
+    return {"code": 0, "message": message, "runs": ask(cylon, scene, engines) if engines else {}}
 
 
 def table(header, rows):
@@ -155,6 +185,24 @@ def what_ran(results, engines):
     return table(["engine", "scenes", "ran", "refused", *shown, *others], rows)
 
 
+RELATED = ["held", "rounding", "broken", "refused"]
+
+
+def what_held(results, engines):
+    counts = {engine: collections.Counter(r["runs"][engine][0] for r in results if r["runs"]) for engine in engines}
+    others = sorted({word for c in counts.values() for word in c} - set(RELATED))
+    rows = [(f"`{e}`", sum(c.values()), *(c[w] for w in RELATED + others)) for e, c in counts.items()]
+    return table(["engine", "scenes", *RELATED, *others], rows)
+
+
+def what_broke(results, engines):
+    counts = {engine: collections.Counter(claim for r in results for claim in (r["runs"].get(engine) or ["", []])[1])
+              for engine in engines if any(r["runs"].get(engine, [""])[0] == "broken" for r in results)}
+    total = sum(counts.values(), collections.Counter())
+    return table(["relation", *(f"`{engine}`" for engine in counts)],
+                 [(name.removeprefix("relation "), *(c[name] for c in counts.values())) for name, _ in total.most_common()])
+
+
 def why_not_run(results, engines):
     """The reasons without the names and numbers that they state."""
     reasons = collections.Counter()
@@ -172,17 +220,24 @@ def all_of(corpus, engines, options):
     with tempfile.TemporaryDirectory() as temporary, concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         folder = (options.keep or pathlib.Path(temporary)).absolute()
         folder.mkdir(parents=True, exist_ok=True)
-        files = list(scenes(corpus))
-        work = [(file, folder / f"scene_{i}.toml") for i, file in enumerate(files)]
-        results = []
-        for file, result in zip(files, pool.map(lambda one: followed(options.cylon, *one, engines), work)):
+        kept = folder / "results.jsonl"
+        before = kept.read_text(encoding="utf-8").splitlines() if options.keep and kept.exists() else []
+        results = [json.loads(line) for line in before]
+        done = {result["file"] for result in results}
+        files = [(i, file) for i, file in enumerate(scenes(corpus)) if str(file.relative_to(corpus)) not in done]
+        ask = related if options.relations else runs
+        work = [(file, folder / f"scene_{i}.toml") for i, file in files]
+        for n, ((_, file), result) in enumerate(
+                zip(files, pool.map(lambda one: followed(options.cylon, *one, engines, ask), work))):
             place = file.relative_to(corpus)
             result |= {"file": str(place), "project": place.parts[0], "format": FORMATS[file.suffix]}
             results.append(result)
+            with kept.open("a", encoding="utf-8") as lines:
+                lines.write(json.dumps(result) + "\n")
+            if sys.stderr.isatty():
+                print(f"\r{n + 1} of {len(files)} files", end="", file=sys.stderr)
             if result["code"] not in (0, 2):
                 print(f"{file}: exit code {result['code']}: {result['message'].strip()[-300:]}", file=sys.stderr)
-        if options.keep:
-            (folder / "results.jsonl").write_text("".join(json.dumps(r) + "\n" for r in results), encoding="utf-8")
     return results
 
 
@@ -193,6 +248,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--engine", action="append", help=f"default: {', '.join(ENGINES)}")
     parser.add_argument("--no-runs", action="store_true", help="import only; the tables of runs stay as they are")
+    parser.add_argument("--relations", action="store_true", help="ask the relations in place of the claims")
     parser.add_argument("--of", type=pathlib.Path, help="write the tables of an earlier run's results.jsonl")
     parser.add_argument("--keep", type=pathlib.Path, help="folder for the scenarios and results.jsonl")
     options = parser.parse_args()
@@ -208,6 +264,12 @@ def main():
     if runs and all(run[0] in ("no report", "nothing moves") for run in runs):
         sys.exit(f"no engine reported anything: {runs[0][1] if len(runs[0]) > 1 else ''}")
     text = page.read_text(encoding="utf-8")
+    if options.relations:
+        engines = list(next(result["runs"] for result in results if result["runs"]))
+        text = replace(text, "relations", what_held(results, engines))
+        text = replace(text, "relations broken", what_broke(results, engines))
+        page.write_text(text, encoding="utf-8")
+        return 0
     text = replace(text, "corpus", what_became(results))
     text = replace(text, "reasons", why_refused(results))
     text = replace(text, "losses", left_out(results))

@@ -498,7 +498,7 @@ void Bodies::scales(const Real* y, Real* scale) {
   if (!model_.joints.empty())
     for (std::size_t i = 0; i < count_; ++i) passed_on = std::max(passed_on, 1000 * epsilon * spin_[i]);
   const auto or_one = [](Real x) { return x > 0 ? x : Real(1); };
-  std::fill_n(scale, extras_, Real(1e30));  // works, turns and the clock are not controlled
+  std::fill_n(scale, extras_, uncontrolled);  // works, turns and the clock are not controlled
   scale += extras_;
   for (std::size_t i = 0; i < count_; ++i, scale += motion_size) {
     const Body& body = model_.bodies[i];

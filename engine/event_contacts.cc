@@ -107,8 +107,8 @@ std::vector<EventStepper::Spot> EventStepper::spots(Real ahead) {
     spot.held.candidate = i;
     if (is_of_joint(c)) {
       spot.touch = touch_of(spot.held, motion);
-      const Real ahead_of = ahead * std::abs(gap_rate(spot.touch, model.bodies, motion));
-      if (spot.touch.gap <= touch_margin(c, motion) + 2 * ahead_of) result.push_back(spot);
+      // Forces along a coordinate know no bound, so that it may come to any of its stops within a time.
+      if (ahead > 0 || spot.touch.gap <= touch_margin(c, motion)) result.push_back(spot);
       continue;
     }
     const Real margin = touch_margin(c, motion) + reach(c);

@@ -90,7 +90,7 @@ void ScaledBodies::scales(const Real* y, Real* scale) const {
   }
   turn = std::max(turn, speed / reach_);
   const std::size_t extras = bodies_.size() - motion_size * bodies_.count();
-  std::fill_n(scale, extras, Real(1e30));  // works and the clock are not controlled
+  std::fill_n(scale, extras, uncontrolled);  // works and the clock are not controlled
   scale += extras;
   for (std::size_t i = 0; i < bodies_.count(); ++i, scale += motion_size) {
     std::fill(scale, scale + 3, length);
@@ -260,14 +260,18 @@ std::int64_t EventStepper::operations() const {
          passage_.looks() * (2 + bodies);
 }
 
+// Where forces are smooth by pieces, those of the piece that begins.
+void EventStepper::pass_kink(Time from) {
+  const Time sliver = no_time * dt_;
+  if (from + sliver < kink_) return;
+  system_.start_piece(from + sliver);
+  kink_ = system_.next_kink(from + sliver);
+  fresh_ = true;
+}
+
 // How far forces are smooth, and no angle that is limited turns by more than a part of a turn.
 Time EventStepper::smooth_span(Time from, Time span) {
-  const Time sliver = no_time * dt_;
-  if (from + sliver >= kink_) {
-    system_.start_piece(from + sliver);
-    kink_ = system_.next_kink(from + sliver);
-    fresh_ = true;
-  }
+  pass_kink(from);
   span = std::min(span, kink_ - from);
   const Model& model = system_.model();
   for (const CoordinateLaw& law : model.forces.coordinate_laws) {

@@ -110,6 +110,7 @@ class EventStepper final : public Stepper, private Holder {
   std::optional<Real> change_time(Time from, Real span, const ContactForces& before);
   void resolve(Time now);
   std::vector<Spot> spots(Real ahead = 0);
+  void pass_kink(Time from);
   Real stride(Time from, Time span);
   void close_gaps();
   bool crawls(Time now);

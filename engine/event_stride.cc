@@ -21,6 +21,7 @@ constexpr int most_rounds = 200;
 // of bounded work whatever the contacts do.  J. J. Moreau, Unilateral contact and dry friction in finite
 // freedom dynamics (1988), sections 10-12.  Returns how far the velocities at contacts are from that [m/s].
 Real EventStepper::stride(Time from, Time span) {
+  pass_kink(from);
   const std::vector<Body>& bodies = system_.model().bodies;
   const Real h = static_cast<Real>(span);
   Motion* motion = motions();
@@ -93,16 +94,17 @@ void EventStepper::turn_rotors(const std::vector<Real>& rates) {
 void EventStepper::close_gaps() {
   const std::vector<Body>& bodies = system_.model().bodies;
   Motion* motion = motions();
+  system_.project(y_.data());
   rows_.rows = conditions(motion);
   for (const Spot& spot : spots()) {
     if (spot.touch.gap > 0 || spot.touch.axis > 0) continue;
     std::vector<Row> three;
     append_rows(spot.touch, bodies, motion, three);
     three[0].offset = spot.touch.gap;
+    three[0].rounding = 16 * epsilon * scale_of(candidates_[spot.held.candidate], motion);
     rows_.rows.push_back(three[0]);
   }
-  system_.project(y_.data());
-  rows_.project_positions(bodies, motion);
+  if (!rows_.closed()) rows_.project_positions(bodies, motion);
 }
 
 }  // namespace cylon::engine

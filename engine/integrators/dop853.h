@@ -348,7 +348,8 @@ class Dop853 {
     std::uint32_t signs = 1 + static_cast<std::uint32_t>(accepted_);  // others each time
     for (std::size_t i = 0; i < n_; ++i) {
       signs = signs * 1664525 + 1013904223;
-      stage_[i] = y_[i] + (signs >> 31 == 0 ? epsilon : -epsilon) * scale_[i];
+      const Real size = scale_[i] < uncontrolled ? scale_[i] : std::abs(y_[i]);
+      stage_[i] = y_[i] + (signs >> 31 == 0 ? epsilon : -epsilon) * size;
     }
     s.rates(end_, stage_, next_);
     ++evaluations_;

@@ -297,5 +297,28 @@ TEST(Dop853, TightestToleranceEnds) {
   EXPECT_LT(result.evaluations, 20000);
 }
 
+// A number whose errors do not count, as turns that are counted, on which rates depend.  Rounding of the rates was measured with
+// one that was larger by 1e30 epsilon, so that a limit was somewhere else, and any error was rounding.
+struct Counted {
+  double largest = 0;
+  std::size_t size() const { return 2; }
+  void rates(Time t, const Real* y, Real* rate) {
+    largest = std::max(largest, static_cast<double>(std::abs(y[0])));
+    rate[0] = 0, rate[1] = std::cos(static_cast<Real>(t)) * (1 + y[0]);
+  }
+  void project(Real*) {}
+  void scales(const Real*, Real* scale) const { scale[0] = uncontrolled, scale[1] = 1; }
+};
+
+TEST(Dop853, MeasuresRoundingWithNumbersThatDoNotCountAsTheyAre) {
+  Counted counted;
+  Dop853<Counted> integrator(2, 1e-13);
+  integrator.take_rounding();
+  Real y[2] = {2, 0};
+  ASSERT_EQ(integrator.advance(counted, 0, 1, y), Ending::done);
+  EXPECT_LE(counted.largest, 2.001);
+  EXPECT_NEAR(y[1], 3 * std::sin(Real(1)), 1e-12);
+}
+
 }  // namespace
 }  // namespace cylon::engine

@@ -343,6 +343,19 @@ const std::vector<Odd> all = {
      8e7,
      "is not reached",
      {{0, What::position, 0, -0.87422855, 1e-6}, {1, What::position, 2, -0.16319936, 1e-6}}},
+    // Operations end where it rests on a stop, from where on steps are of first order: they kept the servo's target of then, so
+    // that the arm stayed there for ever, or blew up.  Fixed steps of 0.1 ms end at (0.41737, 1.2, 0.03114).
+    {"servo_off_its_stop",
+     1e8,
+     unknown,
+     {{1, What::position, 0, 0.41737, 2e-4},
+      {1, What::position, 1, 1.2, 1e-9},
+      {1, What::position, 2, 0.03114, 2e-4}}},
+    // The same: states were no numbers from 0.7 s on.  Fixed steps of 0.2 and of 0.1 ms end in one place.
+    {"servos_against_stops",
+     1e8,
+     unknown,
+     {{1, What::position, 0, 0.266367305, 1e-7}, {1, What::position, 2, 0.120374409, 1e-7}}},
     {"weight_on_a_stop", 1e6, "", {{0, What::position, 1, 0.1, 1e-15}, {0, What::velocity, 1, 0, 0}}},
     {"hinge_chain", 5e8, not_followed, {}, "events"},
     {"jointed_boxes", 1.5e8, "is not reached", {{0, What::position, 1, 0.2, 1e-6}}, "events"},
