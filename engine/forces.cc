@@ -341,6 +341,16 @@ Time Forces::next_kink(Time t) const {
   return next;
 }
 
+bool Forces::jumps_within(Time from, Time to) const {
+  return std::ranges::any_of(coordinate_laws, [&](const CoordinateLaw& law) {
+    return law.damping != 0 && law.target.next_kink(std::nextafter(from, -1)) <= to;
+  });
+}
+
+bool Forces::jumps_in_space() const {
+  return std::ranges::any_of(waters, [](const Water& water) { return water.mode == WaterMode::step; });
+}
+
 void Forces::start_turns() {
   for (CoordinateLaw& law : coordinate_laws) law.at.near = law.at.start.value_or(law.at.origin);
 }

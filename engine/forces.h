@@ -192,6 +192,10 @@ struct Forces {
 
   /// The first time after t at which a force is not smooth as a function of the time; infinite: none [s].
   Time next_kink(Time t) const;
+  /// Whether one jumps in time within [from, to]: a damper whose target changes its rate.
+  bool jumps_within(Time from, Time to) const;
+  /// Whether one jumps where a body passes a place.
+  bool jumps_in_space() const;
   /// The angles of joints are what they are at the start.
   void start_turns();
   /// What the coordinate of each law is near to.

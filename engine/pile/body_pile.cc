@@ -79,6 +79,7 @@ BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings, st
   changing_ = masses_.any() || std::ranges::any_of(model_.forces.frame_forces, [](const FrameForce& frame) {
                 return !frame.angular_acceleration.isZero(0);
               });
+  smooth_ = !model_.forces.jumps_in_space();
   find_limits(start);
   set_kinematics();
   for (std::size_t i = 0; i < movers_.size(); ++i)
@@ -407,6 +408,7 @@ void BodyPile::substep(Time now, Time h, bool direct) {
     measure_sweep();
     work_ += 3 * static_cast<std::int64_t>(blocks_.size());
   }
+  note_presses(now);
   carry_impulses();
   for (std::size_t i = 0; keep_ && i < blocks_.size(); ++i)
     if (takes(blocks_[i])) pressed_[i] += blocks_[i].impulse;

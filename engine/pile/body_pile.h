@@ -32,7 +32,8 @@ class BodyPile : public Stepper {
     return work_ + direct_.operations() + overlaps_.operations() + crowd_.operations();
   }
   /// 2 as long as all steps are leaps in which nothing strikes and nothing is taken to first order, else 1.
-  /// A rotor takes its rate of before from inertias that have turned since: of first order, where its body is not round.
+  /// A rotor takes its rate of before from inertias that have turned since: of first order, where its body is not round.  So is
+  /// a force that jumps.
   std::optional<int> order_so_far() const override { return is_ahead_ && smooth_ && !rotors_ ? 2 : 1; }
 
   /// Largest violation of the contact and joint laws that a direct solution has left [m/s].
@@ -91,6 +92,7 @@ class BodyPile : public Stepper {
   void kick(Real span, Time then);
   void set_targets(Time now, Real span, Real h);
   void note_impacts(Time now);
+  void note_presses(Time now);
   void sweep(bool warm);
   void carry_impulses();
   void drift(Real h);

@@ -35,6 +35,7 @@ bool BodyPile::leaps() const {
 
 void BodyPile::leap(Time now, Time span, bool last) {
   const Real h = static_cast<Real>(span);
+  smooth_ = smooth_ && !model_.forces.jumps_within(now, now + span);
   if (h > limit_.step)
     log_.note(DiagnosticKind::unstable, now, static_cast<double>(limit_.step), {}, limit_.reason);
   if (!is_ahead_) {
@@ -116,6 +117,7 @@ void BodyPile::kick_ahead(Time now, Real lag, Real h) {
   impacts_.swap(coming_);
   if (isolated_) islands_.note(motions_);
   solve_directly(now);
+  note_presses(now);
   carry_impulses();
   if (isolated_) islands_.limit_energy(motions_), set_kinematics();
   for (std::size_t i = 0; i < motions_.size(); ++i) {

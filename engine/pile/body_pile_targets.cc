@@ -110,4 +110,24 @@ void BodyPile::note_bounce(const Block& block, Time now) {
   }
 }
 
+// A blow that presses a body onto what it touches, in the same solution: one after the other the body would have given way, and
+// met that afterwards.
+void BodyPile::note_presses(Time now) {
+  if (model_.impacts != Impacts::sequential) return;
+  const auto blows = [&](const Block& b) {
+    return takes(b) && b.impact && b.is_one_sided() && b.restitution > 0;
+  };
+  if (std::none_of(blocks_.begin(), blocks_.end(), blows)) return;
+  std::vector<Mover> blown = movers_;
+  for (Mover& mover : blown) mover.v.setZero(), mover.w.setZero();
+  for (const Block& block : blocks_)
+    if (blows(block)) push(block, block.impulse, blown);
+  const auto presses = [&](const Block& b) {
+    if (!takes(b) || !b.is_one_sided() || blows(b) || !(b.normal.dot(b.impulse) > 0)) return false;
+    const Vector3 given = relative_velocity(b, blown);
+    return b.normal.dot(given) < -Real(1e-6) * given.norm();
+  };
+  if (std::any_of(blocks_.begin(), blocks_.end(), presses)) log_.note(DiagnosticKind::solved_at_once, now);
+}
+
 }  // namespace cylon::engine::pile

@@ -177,6 +177,23 @@ TEST(Leaps, TellTheirOrder) {
   turns.forces.coordinate_laws = {rotor};
   EXPECT_EQ(order(turns, 0.01, 5), 1);
 
+  Model driven = slides_on_a_spring();  // by a damper whose target changes its rate at 0.1 s
+  driven.forces.drags.clear();
+  add_box(driven, 1, Vector3::Constant(Real(0.1)), driven.motions[0].position + Vector3(0, 2, 0));
+  driven.joints = {held(driven, joint_types::hinge, 1, fixed_world, driven.motions[1].position, {0, 0, 1})};
+  CoordinateLaw servo;
+  servo.at.kind = Coordinate::Kind::angle, servo.at.body = 1;
+  servo.at.axis = Vector3::UnitZ(), servo.at.zero = servo.at.mark = Vector3::UnitX();
+  servo.stiffness = Real(0.01), servo.damping = Real(0.001);
+  servo.target.times = {0, 0.1, 1}, servo.target.values = {0, Real(0.2), Real(0.1)};
+  driven.forces.coordinate_laws = {servo};
+  EXPECT_EQ(order(driven, 0.01, 5), 1) << "it begins to move at once";
+  driven.forces.coordinate_laws[0].target.times = {-1, 0.1, 1};
+  EXPECT_EQ(order(driven, 0.01, 8), 2);
+  EXPECT_EQ(order(driven, 0.01, 12), 1);
+  driven.forces.coordinate_laws[0].damping = 0;
+  EXPECT_EQ(order(driven, 0.01, 12), 2);
+
   Model many = pile_model(0, Real(0.5));  // 20 cubes in one group of more than 64 points
   for (int i = 0; i < 20; ++i)
     add_box(many, 1, Vector3::Constant(Real(0.5)), {static_cast<Real>(i), Real(0.5), 0}, {1, 0, 0});

@@ -120,5 +120,28 @@ TEST(SteppingRemarks, SayWhenSequentialImpactsAreSolvedAtOnce) {
   }
 }
 
+// A box falls flat onto one that rests: one after the other the lower one gives way first, which nothing said.  A blow along the
+// floor presses nothing onto it.
+TEST(SteppingRemarks, SayWhenABlowPressesWhatRests) {
+  const auto said = [](const Vector3& place, const Vector3& velocity, Real restitution, Impacts impacts) {
+    Model model;
+    const auto add = [&](Real mass, const Vector3& at, const Vector3& speed) {
+      add_body(model, make_body(mass, Matrix3::Identity() * Real(0.02)), at, {0, 0, 0}, speed, {0, 0, 0},
+               Box{{Real(0.2), Real(0.2), Real(0.2)}});
+    };
+    add(1, {0, Real(0.2), 0}, {0, 0, 0}), add(Real(0.3), place, velocity);
+    model.planes = {{Vector3::UnitY(), 0}};
+    model.forces.gravity = {0, Real(-9.81), 0};
+    make_touchable(model, restitution);
+    model.impacts = impacts;
+    return says(run(model, stepping(0.01), 20).remarks, "impacts = sequential was not kept");
+  };
+  const Vector3 above(0, Real(0.8), 0), beside(Real(0.8), Real(0.2), 0);
+  EXPECT_TRUE(said(above, {0, -2, 0}, Real(0.5), Impacts::sequential));
+  EXPECT_FALSE(said(above, {0, -2, 0}, Real(0.5), Impacts::simultaneous));
+  EXPECT_FALSE(said(above, {0, -2, 0}, 0, Impacts::sequential));
+  EXPECT_FALSE(said(beside, {-4, 0, 0}, Real(0.5), Impacts::sequential));
+}
+
 }  // namespace
 }  // namespace cylon::engine
