@@ -72,20 +72,35 @@ function(program name)
   declare(${name} KIND program PLACES ${ARG_SOURCE} PRIVATE ${ARG_USES})
   add_dependencies(${name} ${workers})
   add_dependencies(tests ${name} engines)
+  # What an earlier program certified says nothing of this one.
+  add_custom_command(TARGET ${name} POST_BUILD COMMAND ${CMAKE_COMMAND} -E rm -rf ${PROJECT_BINARY_DIR}/tests_cache)
 endfunction()
 
 # All that ctest runs.
 add_custom_target(tests)
 
-# tests/paths.h: the one source that knows where the repository and the build stand.
-file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/test_paths.cc CONTENT [[
+# tests/paths.h: the one source that knows where the repository and the build stand.  It also gives every test one cache of
+# certified solutions and one key that seals it, so that a scene is certified once for all of them, and the user's own cache and
+# key are left alone.  Whatever an environment says comes first.
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/test_paths.cc CONTENT [=[
 #include "tests/paths.h"
+
+#include <cstdlib>
 const char* const cylon::source_dir = "@PROJECT_SOURCE_DIR@";
 const char* const cylon::binary_dir = "@PROJECT_BINARY_DIR@";
-]] @ONLY)
+namespace {
+[[maybe_unused]] const int of_tests = ::setenv("CYLON_CACHE", "@PROJECT_BINARY_DIR@/tests_cache", 0) |
+                                      ::setenv("CYLON_KEY", "@PROJECT_BINARY_DIR@/tests_key", 0);
+}  // namespace
+]=] @ONLY)
 add_library(test_paths STATIC ${PROJECT_BINARY_DIR}/test_paths.cc)
 target_include_directories(test_paths PUBLIC ${PROJECT_SOURCE_DIR})
 declare(test_paths KIND layer PLACES tests/paths.h tests/temporary_folder.h)
+set(tests_environment "CYLON_CACHE=${PROJECT_BINARY_DIR}/tests_cache;CYLON_KEY=${PROJECT_BINARY_DIR}/tests_key")
+if(NOT EXISTS ${PROJECT_BINARY_DIR}/tests_key)  # a key is 32 bytes that nobody else may read (harness/seal)
+  execute_process(COMMAND head -c 32 /dev/urandom OUTPUT_FILE ${PROJECT_BINARY_DIR}/tests_key COMMAND_ERROR_IS_FATAL ANY)
+  file(CHMOD ${PROJECT_BINARY_DIR}/tests_key PERMISSIONS OWNER_READ OWNER_WRITE)
+endif()
 
 # ctest starts the tests of the greatest COST first, so that no long one runs alone at the end.
 set(long_test 100)
@@ -181,7 +196,8 @@ endfunction()
 function(readme_test)
   add_test(NAME readme_is_current COMMAND ${PROJECT_SOURCE_DIR}/docs/update.py --check --cylon $<TARGET_FILE:cylon>)
   add_test(NAME fairness_is_current COMMAND ${PROJECT_SOURCE_DIR}/docs/fairness.py --check --cylon $<TARGET_FILE:cylon>)
-  set_tests_properties(readme_is_current fairness_is_current PROPERTIES LABELS conformance COST ${long_test})
+  set_tests_properties(readme_is_current fairness_is_current PROPERTIES LABELS conformance COST ${long_test}
+                       ENVIRONMENT "${tests_environment}")
 endfunction()
 
 # hostile_test(script words…): tests/hostile/<script>.py, which attacks the program with files, texts and engines.
@@ -206,7 +222,7 @@ endfunction()
 function(web_tests)
   add_test(NAME web COMMAND ${PROJECT_SOURCE_DIR}/tests/reports/web/run.sh ${PROJECT_BINARY_DIR})
   add_test(NAME web_bundle_is_current COMMAND ${PROJECT_SOURCE_DIR}/cmake/web_bundle.sh --check)
-  set_tests_properties(web PROPERTIES LABELS web SKIP_RETURN_CODE 77 COST ${long_test})
+  set_tests_properties(web PROPERTIES LABELS web SKIP_RETURN_CODE 77 COST ${long_test} ENVIRONMENT "${tests_environment}")
   set_tests_properties(web_bundle_is_current PROPERTIES LABELS web)
 endfunction()
 

@@ -30,6 +30,10 @@ struct Ran {
 
 class CommandLine : public testing::Test {
  protected:
+  // A key that the test may lose; of the bytes of all tests' key, so that what one has certified the others take.
+  CommandLine() {
+    std::filesystem::copy_file(std::filesystem::path(binary_dir) / "tests_key", folder / ".key");
+  }
   void write(const std::string& file, const std::string& text) const {
     std::ofstream(folder / file, std::ios::binary) << text;
   }
