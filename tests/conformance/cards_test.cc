@@ -112,7 +112,9 @@ TEST_P(KeptCard, IsShownByItsProgram) {
   const fs::path modules = fs::path(source_dir) / "reference/simulators/js/node_modules";
   if (fs::exists(modules)) fs::create_directory_symlink(modules, own.path() / "node_modules");
   std::string out;
-  FILE* pipe = popen(fmt::format("cd {} && {}", own.path().string(), told[3].str()).c_str(), "r");
+  const std::string line =
+      fmt::format("PATH={}/tests/cached:$PATH; cd {} && {}", source_dir, own.path().string(), told[3].str());
+  FILE* pipe = popen(line.c_str(), "r");
   std::array<char, 256> part{};
   while (std::fgets(part.data(), part.size(), pipe)) out += part.data();
   ASSERT_EQ(pclose(pipe), 0) << out;

@@ -5,6 +5,7 @@
 #include "harness/hunt/hunt.h"
 #include "harness/hunt/oracle.h"
 #include "harness/process/engine_table.h"
+#include "harness/process/session.h"
 #include "harness/scenario/scenario.h"
 #include "harness/study/cell.h"
 #include "harness/study/runner.h"
@@ -21,6 +22,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <ostream>
 
 namespace cylon::hunt {
@@ -323,10 +325,20 @@ std::string printed_by(const Program& program) {
   std::ofstream(folder / program.file) << program.text;
   const fs::path modules = fs::path(source_dir) / "reference/simulators/js/node_modules";
   if (program.file.ends_with(".mjs")) fs::create_directory_symlink(modules, folder / "node_modules");
-  return output_of(fmt::format("cd {} && {}", folder.string(), program.command));
+  return output_of(
+      fmt::format("PATH={}/tests/cached:$PATH; cd {} && {}", source_dir, folder.string(), program.command));
 }
 
-class ProgramOf : public testing::TestWithParam<Case> {};
+// The cases keep one worker for each engine: that an engine carries nothing over is tested elsewhere
+// (tests/harness/process/session_test.cc), and a process of Node starts for longer than a run takes.
+class ProgramOf : public testing::TestWithParam<Case> {
+ public:
+  static void SetUpTestSuite() { kept_.emplace(); }
+  static void TearDownTestSuite() { kept_.reset(); }
+
+ private:
+  static inline std::optional<process::KeptWorkers> kept_;
+};
 TEST_P(ProgramOf, PrintsWhatCylonMeasures) {
   const Case& c = GetParam();
   const process::EngineChoice subject = engine(c.engine);
