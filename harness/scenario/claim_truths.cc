@@ -10,6 +10,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace cylon::scenario {
@@ -17,10 +23,42 @@ namespace cylon::scenario {
 using core::Claim;
 using core::Observable;
 
+namespace {
+
+using StateAt = std::function<core::State(double)>;
+
+// The same states, each computed once as long as there is room: the claims of a scenario, and the runs that it judges, ask for
+// those of the same times again and again.  Runs are judged on several threads.
+StateAt remembered(StateAt state) {
+  struct Memory {
+    std::mutex mutex;
+    std::unordered_map<double, core::State> known;
+    std::size_t room = std::size_t{1} << 15;  // states of a body: some megabytes
+  };
+  return [state = std::move(state), memory = std::make_shared<Memory>()](double time) {
+    {
+      const std::scoped_lock lock(memory->mutex);
+      if (const auto found = memory->known.find(time); found != memory->known.end()) return found->second;
+    }
+    core::State result = state(time);
+    const std::scoped_lock lock(memory->mutex);
+    if (std::isfinite(time) && result.size() <= memory->room && memory->known.emplace(time, result).second)
+      memory->room -= result.size();
+    return result;
+  };
+}
+
+}  // namespace
+
 const core::Truth& ExactTruths::at(const Table& t, const Claim& claim, double horizon) {
   auto& known = truths_[{claim.follows, horizon}];
-  if (!known) known = make(t, claim.follows, horizon);
-  if (claim.observable.quantity != core::Quantity::event) return *known;
+  if (!known) {
+    core::Truth truth = make(t, claim.follows, horizon);
+    StateAt anew = truth.state;
+    truth.state = remembered(anew);
+    known = Solved{std::move(truth), std::move(anew)};
+  }
+  if (claim.observable.quantity != core::Quantity::event) return known->truth;
   const Observable& q = claim.observable;
   auto& located = events_[{claim.follows, horizon,
                            fmt::format("{} {} {} {}", core::name(q.event), q.to.value_or(-1),
@@ -30,9 +68,9 @@ const core::Truth& ExactTruths::at(const Table& t, const Claim& claim, double ho
 }
 
 // Counts the states in which events are searched.
-core::Truth ExactTruths::with_events(const Table& t, const Observable& q, const core::Truth& truth,
+core::Truth ExactTruths::with_events(const Table& t, const Observable& q, const Solved& solved,
                                      double horizon) {
-  core::Truth counted = truth;
+  core::Truth counted = solved.truth;
   counted.state = [&](double time) {
     looks_ += scene_.bodies.size();
     if (looks_ > budget::truth_looks)
@@ -40,11 +78,11 @@ core::Truth ExactTruths::with_events(const Table& t, const Observable& q, const 
              fmt::format("follows = '{}': to find its events takes too long; end the claim sooner with "
                          "'until', or make fewer claims of events",
                          t.text("follows")));
-    return truth.state(time);
+    return solved.anew(time);
   };
   try {
     core::Truth located = core::with_events(q, scene_, counted, horizon, step_);
-    located.state = truth.state;
+    located.state = solved.truth.state;
     return located;
   } catch (const core::OutOfDomain& error) {
     t.fail("follows", fmt::format("follows = '{}': {}", t.text("follows"), error.what()));

@@ -4,6 +4,7 @@
 #include "harness/core/claim.h"
 #include "harness/scenario/reader.h"
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -22,13 +23,17 @@ class ExactTruths {
   const core::Truth& at(const Table&, const core::Claim&, double horizon);
 
  private:
+  struct Solved {
+    core::Truth truth;                        ///< Which remembers the states that it has told.
+    std::function<core::State(double)> anew;  ///< Which does not: events are searched at times of their own.
+  };
   core::Truth make(const Table&, const std::string& name, double horizon) const;
-  core::Truth with_events(const Table&, const core::Observable&, const core::Truth&, double horizon);
+  core::Truth with_events(const Table&, const core::Observable&, const Solved&, double horizon);
 
   const core::Scene& scene_;
   double step_;
   std::size_t looks_ = 0;  // states of a body in which events were searched so far
-  std::map<std::pair<std::string, double>, std::optional<core::Truth>> truths_;
+  std::map<std::pair<std::string, double>, std::optional<Solved>> truths_;
   std::map<std::tuple<std::string, double, std::string>, std::optional<core::Truth>>
       events_;  ///< By what is asked.
 };
