@@ -2,15 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 namespace cylon::engine::pile {
-
-namespace {
-
-std::size_t at_index(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
 
 void BlockFactor::set_pattern(int bodies, std::vector<Pair> couples) {
   for (Pair& pair : couples)
@@ -24,9 +19,9 @@ void BlockFactor::set_pattern(int bodies, std::vector<Pair> couples) {
 
 // What a body leaves when it is eliminated is a column of L, and binds those that it was bound to.  Ties: the first.
 void BlockFactor::find_order() {
-  const std::size_t n = at_index(bodies_);
+  const std::size_t n = index(bodies_);
   std::vector<std::vector<int>> next(n), columns;
-  for (const auto& [a, b] : couples_) next[at_index(a)].push_back(b), next[at_index(b)].push_back(a);
+  for (const auto& [a, b] : couples_) next[index(a)].push_back(b), next[index(b)].push_back(a);
   std::set<Pair> by_degree;
   for (std::size_t i = 0; i < n; ++i) {
     std::sort(next[i].begin(), next[i].end());
@@ -37,11 +32,11 @@ void BlockFactor::find_order() {
   while (!by_degree.empty()) {
     const int least = by_degree.begin()->second;
     by_degree.erase(by_degree.begin());
-    place_[at_index(least)] = static_cast<int>(order_.size());
+    place_[index(least)] = static_cast<int>(order_.size());
     order_.push_back(least);
-    const std::vector<int> left = std::move(next[at_index(least)]);
+    const std::vector<int> left = std::move(next[index(least)]);
     for (const int i : left) {
-      std::vector<int>& of = next[at_index(i)];
+      std::vector<int>& of = next[index(i)];
       by_degree.erase({static_cast<int>(of.size()), i});
       joined.clear();
       std::set_union(of.begin(), of.end(), left.begin(), left.end(), std::back_inserter(joined));
@@ -53,7 +48,7 @@ void BlockFactor::find_order() {
   }
   start_.assign(1, 0), rows_.clear(), work_ = 0;
   for (std::vector<int>& column : columns) {
-    for (int& row : column) row = place_[at_index(row)];
+    for (int& row : column) row = place_[index(row)];
     std::sort(column.begin(), column.end());
     rows_.insert(rows_.end(), column.begin(), column.end());
     start_.push_back(rows_.size());
@@ -66,9 +61,9 @@ void BlockFactor::find_order() {
 void BlockFactor::clear() { std::fill(blocks_.begin(), blocks_.end(), Block::Zero()); }
 
 std::size_t BlockFactor::find(int body, int other) const {
-  const auto [column, row] = std::minmax(place_[at_index(body)], place_[at_index(other)]);
-  const auto begin = rows_.begin() + static_cast<std::ptrdiff_t>(start_[at_index(column)]),
-             end = rows_.begin() + static_cast<std::ptrdiff_t>(start_[at_index(column) + 1]);
+  const auto [column, row] = std::minmax(place_[index(body)], place_[index(other)]);
+  const auto begin = rows_.begin() + static_cast<std::ptrdiff_t>(start_[index(column)]),
+             end = rows_.begin() + static_cast<std::ptrdiff_t>(start_[index(column) + 1]);
   return order_.size() + static_cast<std::size_t>(std::lower_bound(begin, end, row) - rows_.begin());
 }
 
@@ -101,7 +96,7 @@ void BlockFactor::factor() {
       }
     }
     for (std::size_t e = from; e < to; ++e) {
-      const auto j = at_index(rows_[e]);
+      const auto j = index(rows_[e]);
       const Block& of_j = blocks_[n + e];
       blocks_[j].noalias() -= of_j * of_j.transpose();
       std::size_t where = start_[j];
@@ -124,13 +119,13 @@ void BlockFactor::solve(Vector& x) const {
       at[r] /= l(r, r);
     }
     for (std::size_t e = start_[k]; e < start_[k + 1]; ++e)
-      of(order_[at_index(rows_[e])]).noalias() -= blocks_[n + e] * at;
+      of(order_[index(rows_[e])]).noalias() -= blocks_[n + e] * at;
   }
   for (std::size_t k = n; k-- > 0;) {
     auto at = of(order_[k]);
     const Block& l = blocks_[k];
     for (std::size_t e = start_[k]; e < start_[k + 1]; ++e)
-      at.noalias() -= blocks_[n + e].transpose() * of(order_[at_index(rows_[e])]);
+      at.noalias() -= blocks_[n + e].transpose() * of(order_[index(rows_[e])]);
     for (int r = 6; r-- > 0;) {
       for (int c = r + 1; c < 6; ++c) at[r] -= l(c, r) * at[c];
       at[r] /= l(r, r);

@@ -1,7 +1,7 @@
 // A sparse symmetric positive definite matrix of 6 x 6 blocks, one for each body and for each two that act on each other.
 #pragma once
 
-#include <Eigen/Core>
+#include "engine/vector.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -22,14 +22,10 @@ class BlockFactor {
   void set_pattern(int bodies, std::vector<Pair> couples);
 
   void clear();
-  Block& diagonal(int body) {
-    return blocks_[static_cast<std::size_t>(place_[static_cast<std::size_t>(body)])];
-  }
+  Block& diagonal(int body) { return blocks_[index(place_[index(body)])]; }
   /// Where the block of two bodies that couple is, with the rows of the one that is eliminated later.
   std::size_t find(int body, int other) const;
-  bool is_later(int body, int other) const {
-    return place_[static_cast<std::size_t>(body)] > place_[static_cast<std::size_t>(other)];
-  }
+  bool is_later(int body, int other) const { return place_[index(body)] > place_[index(other)]; }
   Block& at(std::size_t where) { return blocks_[where]; }
 
   void factor();
@@ -38,7 +34,7 @@ class BlockFactor {
 
   /// Multiplications of factor() and of solve(), about.
   std::int64_t work() const { return work_; }
-  std::int64_t solve_work() const { return 2 * 36 * static_cast<std::int64_t>(blocks_.size()); }
+  std::int64_t solve_work() const { return 72 * static_cast<std::int64_t>(blocks_.size()); }
 
  private:
   void find_order();

@@ -35,6 +35,7 @@ bool Direct::factor_skewed() {
     matrix_.solve(column_);
     unskewed_.col(k) = column_;
   }
+  if (count == 0) return true;
   few_ = along_.transpose() * unskewed_;
   few_.diagonal().array() += 1;
   few_factored_.compute(few_);
