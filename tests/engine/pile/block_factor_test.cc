@@ -59,18 +59,20 @@ void fill(const Case& of, unsigned seed, BlockFactor& factor, Eigen::MatrixXd& d
   };
   factor.set_pattern(of.bodies, of.couples);
   factor.clear();
-  dense = Eigen::MatrixXd::Identity(6 * of.bodies, 6 * of.bodies);
+  const Eigen::Index size = 6 * Eigen::Index{of.bodies};
+  dense = Eigen::MatrixXd::Identity(size, size);
   for (int i = 0; i < of.bodies; ++i) factor.diagonal(i) = BlockFactor::Block::Identity();
   for (const auto& [a, b] : of.couples) {
+    const Eigen::Index at = 6 * Eigen::Index{a}, other = 6 * Eigen::Index{b};
     const BlockFactor::Block to_a = block(), to_b = block();
     factor.diagonal(a) += to_a.transpose() * to_a;
     factor.diagonal(b) += to_b.transpose() * to_b;
     const bool later = factor.is_later(a, b);
     factor.at(factor.find(a, b)) += later ? to_a.transpose() * to_b : to_b.transpose() * to_a;
-    dense.block<6, 6>(6 * a, 6 * a) += to_a.transpose() * to_a;
-    dense.block<6, 6>(6 * b, 6 * b) += to_b.transpose() * to_b;
-    dense.block<6, 6>(6 * a, 6 * b) += to_a.transpose() * to_b;
-    dense.block<6, 6>(6 * b, 6 * a) += to_b.transpose() * to_a;
+    dense.block<6, 6>(at, at) += to_a.transpose() * to_a;
+    dense.block<6, 6>(other, other) += to_b.transpose() * to_b;
+    dense.block<6, 6>(at, other) += to_a.transpose() * to_b;
+    dense.block<6, 6>(other, at) += to_b.transpose() * to_a;
   }
 }
 
@@ -81,7 +83,7 @@ TEST(BlockFactor, SolvesAsADenseFactorisationDoes) {
       SCOPED_TRACE(of.name);
       Eigen::MatrixXd dense;
       fill(of, seed, factor, dense);
-      Eigen::VectorXd right(6 * of.bodies);
+      Eigen::VectorXd right(6 * Eigen::Index{of.bodies});
       for (Eigen::Index i = 0; i < right.size(); ++i) right[i] = std::sin(1.0 + static_cast<double>(i));
       Eigen::VectorXd x = right;
       factor.factor(), factor.solve(x);
