@@ -154,6 +154,16 @@ bool Rows::closed() const {
                      [](const Row& row) { return std::abs(row.offset) <= row.rounding; });
 }
 
+Real Rows::widest() const {
+  Real most = 0;
+  for (const Row& row : rows) {
+    const Real open = std::abs(row.offset) / row.rounding;
+    if (std::isnan(open)) return open;
+    most = std::max(most, open);
+  }
+  return most;
+}
+
 Real Rows::opening() const {
   Real widest = 0;
   for (const Row& row : rows) {

@@ -57,6 +57,8 @@ class Rows {
   /// The largest |c| that is more than 1000 times its rounding, which is no rounding any more, or not a number; 0:
   /// there is none.
   Real opening() const;
+  /// The largest offset, in roundings; NaN where one is.
+  Real widest() const;
 
   /// c -> 0 to first order, by the shortest way in the metric of the masses: p += lambda n/m, R turned by
   /// I^-1 s lambda.

@@ -11,20 +11,6 @@
 
 namespace cylon::engine {
 
-namespace {
-
-// In roundings.
-Real widest(const std::vector<Row>& rows) {
-  Real most = 0;
-  for (const Row& row : rows) {
-    const Real open = std::abs(row.offset) / row.rounding;
-    if (!(open <= most)) most = open;
-  }
-  return most;
-}
-
-}  // namespace
-
 // What joints keep.
 std::vector<Row> EventStepper::conditions(const Motion* motion) const {
   std::vector<Row> rows;
@@ -143,12 +129,14 @@ void EventStepper::project(const std::vector<Body>& bodies, Motion* motion) {
   };
   bool closed = gather(false);
   std::vector<Motion> before;
-  Real open_before = widest(rows_.rows);
-  for (int sweep = 0; sweep < sweeps && !closed; ++sweep) {
+  Real open_before = rows_.widest();
+  int sweep = 0;
+  while (sweep < sweeps && !closed) {
+    ++sweep;
     before.assign(motion, motion + system_.count());
     rows_.project_positions(bodies, motion);
     closed = gather(false);
-    const Real open_now = widest(rows_.rows);
+    const Real open_now = rows_.widest();
     if (!closed && !(open_now < open_before)) {
       std::copy(before.begin(), before.end(), motion);
       break;
@@ -157,7 +145,7 @@ void EventStepper::project(const std::vector<Body>& bodies, Motion* motion) {
   }
   gather(true);
   if (const Real open = closed ? Real(0) : rows_.opening(); open != 0)
-    log_.note(DiagnosticKind::contacts_open, now_, sweeps, static_cast<double>(open));
+    log_.note(DiagnosticKind::contacts_open, now_, sweep, static_cast<double>(open));
   rows_.project_velocities(bodies, motion);
   stop_what_rests(motion);
 }

@@ -447,8 +447,7 @@ void BodyPile::close_joints(Time now) {
     closing_.rows.clear();
     for (const Joint& joint : model_.joints) add_rows(joint, model_.bodies, motions_.data(), closing_.rows);
     const Real open = closing_.opening();
-    Real widest = 0;
-    for (const Row& row : closing_.rows) widest = std::max(widest, std::abs(row.offset) / row.rounding);
+    const Real widest = closing_.widest();
     if (closing_.closed() || (open == 0 && !(widest < before / 2))) return;
     if (round == close_rounds) {
       if (open != 0) log_.note(DiagnosticKind::joints_drifted, now, close_rounds, static_cast<double>(open));

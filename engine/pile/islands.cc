@@ -33,9 +33,19 @@ bool isolated(const Model& model) {
          std::none_of(model.joints.begin(), model.joints.end(), to_world);
 }
 
+// A user's force may be from anywhere.
+bool falls_freely(const Model& model) {
+  return isolated(model) && !any_force(model.forces, []<class Force>(const Force& force) {
+           const std::optional<Acted> acted = force.acts_on();
+           const bool between_two =
+               acted && acted->size() == 2 && std::ranges::find(*acted, fixed_world) == acted->end();
+           return std::is_same_v<Force, UserForce> || !between_two;
+         });
+}
+
 Vector3 common_gravity(const Model& model) {
   Vector3 weight = Vector3::Zero();
-  if (!isolated(model)) return weight;
+  if (!falls_freely(model)) return weight;
   if (!model.has_own_gravity()) return model.forces.gravity;
   Real mass = 0;
   for (std::size_t i = 0; i < model.bodies.size(); ++i)

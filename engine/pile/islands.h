@@ -11,7 +11,11 @@ namespace cylon::engine::pile {
 /// Nothing in the model can take up momentum: no plane, no locked body, no joint to the world.
 bool isolated(const Model&);
 
-/// Of the centre of mass of an isolated model [m/s^2]: with it all bodies fall alike, and none presses on another.
+/// Nothing from outside acts on an isolated model but gravity: no force on one body alone, as a spring that hangs from the world,
+/// which would have its bodies carry each other's weight.
+bool falls_freely(const Model&);
+
+/// Of the centre of mass of a model that falls freely [m/s^2]: with it all bodies fall alike, and none presses on another.
 /// Otherwise none.
 Vector3 common_gravity(const Model&);
 /// With how much bodies can press on each other by their weight [m/s^2]: the strongest gravity, beside the common one.

@@ -145,6 +145,21 @@ TEST_P(PileIsolated, MovesAlikeInFreeFallAndWithABoost) {
   EXPECT_GT(struck, 4u);
 }
 
+// A tray that a spring holds against its weight, and a box on it: what hangs from the world falls with nothing.
+TEST(PileIsolated, AWeightThatASpringHoldsStaysWhereItIs) {
+  Model model = pile_model(0, Real(0.4), false);
+  add_box(model, 1, {Real(0.5), Real(0.1), Real(0.5)}, Vector3::Zero());
+  add_box(model, Real(0.5), Vector3::Constant(Real(0.1)), {0, Real(0.2), 0});
+  Spring spring;  // above the common centre of both, which are one to it
+  spring.to_anchor = {0, 2, 0}, spring.stiffness = 50, spring.rest_length = 2 - Real(1.5) * g / 50;
+  model.forces.springs.push_back(spring);
+  const auto end = after(*make_pile(model, 0.005), 400);
+  for (std::size_t i = 0; i < end.size(); ++i) {
+    EXPECT_LT((end[i].position - model.motions[i].position).norm(), Real(1e5) * eps) << i;
+    EXPECT_LT(end[i].momentum.norm(), Real(1e5) * eps) << i;
+  }
+}
+
 std::vector<Row> rows() {
   std::vector<Row> rows;
   int seed = 0;
