@@ -3,12 +3,12 @@
 docs/import.md, all from this one run.
 
     docs/import.py CORPUS [--cylon build/release/cylon] [--engine ID …] [--no-runs | --relations] [--keep FOLDER]
-    docs/import.py --of FOLDER/results.jsonl
+    docs/import.py --of FILE… [--relations]
 
 CORPUS is a folder of folders, one per project, or $CYLON_CORPUS; nothing of it is part of this repository.  --relations
 asks the relations of `cylon run --metamorphic` in place of the claims, and writes their tables alone.  --keep leaves the
 scenarios and a file `results.jsonl`, one line a file, in a folder; files that it has already are not done again, so that
-an interrupted run goes on.  --of writes the tables of such a file anew.
+an interrupted run goes on.  --of writes the tables of such files anew, of runs of other engines side by side.
 """
 import argparse
 import collections
@@ -80,12 +80,12 @@ def outcome(rows):
     return max(judged, key=lambda status: OUTCOMES.index(status) if status in OUTCOMES else len(OUTCOMES)), ""
 
 
-def verdicts(cylon, scene, engines, *options):
-    """engine -> its rows, or a complaint."""
+def verdicts(cylon, scene, engines, patience, *options):
+    """engine -> its rows, and a complaint where there are none."""
     command = [cylon, "run", scene, "--jobs", "1", "--timeout", str(PATIENCE), "--json", "-", *options,
                *(word for engine in engines for word in ("--engine", engine))]
     with tempfile.TemporaryDirectory() as own:  # one cylon at a time keeps its journal in a folder
-        _, out, error = called(command, 2 * PATIENCE * len(engines) * (20 if options else 1) + 60, own)
+        _, out, error = called(command, patience * len(engines) + 60, own)
     try:
         rows = json.loads(out)["verdicts"]
     except (json.JSONDecodeError, KeyError):
@@ -95,7 +95,7 @@ def verdicts(cylon, scene, engines, *options):
 
 def runs(cylon, scene, engines):
     """engine -> (outcome, reason)."""
-    found, complaint = verdicts(cylon, scene, engines)
+    found, complaint = verdicts(cylon, scene, engines, 2 * PATIENCE)
     return {engine: outcome(found[engine]) if found.get(engine) else ("no report", complaint) for engine in engines}
 
 
@@ -106,7 +106,8 @@ ROUNDING = 0.01
 
 def related(cylon, scene, engines):
     """engine -> (outcome of the scene, the relations that it breaks)."""
-    found, complaint = verdicts(cylon, scene, engines, "--metamorphic", "--spread", "2")
+    # some twenty relations of a run or two each, and two runs for the spread
+    found, complaint = verdicts(cylon, scene, engines, 40 * PATIENCE, "--metamorphic", "--spread", "2")
 
     def judged(rows):
         asked = [row for row in rows if row["status"] != "unsupported"]
@@ -220,9 +221,12 @@ def all_of(corpus, engines, options):
     with tempfile.TemporaryDirectory() as temporary, concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         folder = (options.keep or pathlib.Path(temporary)).absolute()
         folder.mkdir(parents=True, exist_ok=True)
+        asked = ["relations" if options.relations else "claims", *engines]
         kept = folder / "results.jsonl"
         before = kept.read_text(encoding="utf-8").splitlines() if options.keep and kept.exists() else []
         results = [json.loads(line) for line in before]
+        if any(result.get("asked") != asked for result in results):
+            sys.exit(f"{kept}: holds answers to another question, or of other engines")
         done = {result["file"] for result in results}
         files = [(i, file) for i, file in enumerate(scenes(corpus)) if str(file.relative_to(corpus)) not in done]
         ask = related if options.relations else runs
@@ -230,7 +234,7 @@ def all_of(corpus, engines, options):
         for n, ((_, file), result) in enumerate(
                 zip(files, pool.map(lambda one: followed(options.cylon, *one, engines, ask), work))):
             place = file.relative_to(corpus)
-            result |= {"file": str(place), "project": place.parts[0], "format": FORMATS[file.suffix]}
+            result |= {"asked": asked, "file": str(place), "project": place.parts[0], "format": FORMATS[file.suffix]}
             results.append(result)
             with kept.open("a", encoding="utf-8") as lines:
                 lines.write(json.dumps(result) + "\n")
@@ -241,6 +245,13 @@ def all_of(corpus, engines, options):
     return results
 
 
+def joined(parts):
+    """The results of runs of the same corpus, each with engines of its own; of files that all of them have."""
+    by_file = [{result["file"]: result for result in part} for part in parts]
+    return [result | {"runs": {engine: run for part in by_file for engine, run in part[name]["runs"].items()}}
+            for name, result in by_file[0].items() if all(name in part for part in by_file)]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("corpus", nargs="?", default=os.environ.get("CYLON_CORPUS"))
@@ -249,12 +260,12 @@ def main():
     parser.add_argument("--engine", action="append", help=f"default: {', '.join(ENGINES)}")
     parser.add_argument("--no-runs", action="store_true", help="import only; the tables of runs stay as they are")
     parser.add_argument("--relations", action="store_true", help="ask the relations in place of the claims")
-    parser.add_argument("--of", type=pathlib.Path, help="write the tables of an earlier run's results.jsonl")
+    parser.add_argument("--of", type=pathlib.Path, nargs="+", help="write the tables of the results.jsonl of earlier runs")
     parser.add_argument("--keep", type=pathlib.Path, help="folder for the scenarios and results.jsonl")
     options = parser.parse_args()
     engines = [] if options.no_runs else options.engine or ENGINES
     if options.of:
-        results = [json.loads(line) for line in options.of.read_text(encoding="utf-8").splitlines()]
+        results = joined([[json.loads(line) for line in file.read_text(encoding="utf-8").splitlines()] for file in options.of])
     elif options.corpus and pathlib.Path(options.corpus).is_dir():
         results = all_of(pathlib.Path(options.corpus).absolute(), engines, options)
     else:

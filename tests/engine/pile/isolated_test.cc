@@ -145,6 +145,36 @@ TEST_P(PileIsolated, MovesAlikeInFreeFallAndWithABoost) {
   EXPECT_GT(struck, 4u);
 }
 
+// The same of two boxes on a hinge whose damper is too stiff for the step, which makes it one of first order.
+TEST(PileIsolated, AStiffJointMovesAlikeInFreeFallAndWithABoost) {
+  const Vector3 half(Real(0.5), Real(0.1), Real(0.2)), right(Real(0.6), 0, 0), w(0, 0, 2);
+  Model model = pile_model(0, 0, false);
+  model.forces.gravity.setZero();
+  add_box(model, Real(1.3), half, Vector3::Zero(), Vector3::Zero(), w);
+  add_box(model, Real(0.7), half, 2 * right, w.cross(right) - w.cross(-right), w);
+  Joint joint{joint_types::hinge, 0, right, 1, -right};
+  joint.axis = joint.to_axis = Vector3::UnitZ();
+  model.joints = {joint};
+  CoordinateLaw damper;
+  damper.at.kind = Coordinate::Kind::angle, damper.at.body = 1, damper.at.to = 0;
+  damper.at.axis = Vector3::UnitZ(), damper.at.zero = damper.at.mark = Vector3::UnitX();
+  damper.stiffness = 20, damper.damping = 200;
+  model.forces.coordinate_laws = {damper};
+  const Vector3 boost(2, 1, -3), gravity(1, -g, 2);
+  Model moved = model;
+  moved.forces.gravity = gravity;
+  for (std::size_t i = 0; i < 2; ++i) moved.motions[i].momentum += moved.bodies[i].mass * boost;
+  const double dt = 0.005;
+  const auto plain = make_pile(model, dt), other = make_pile(moved, dt);
+  const auto at = after(*plain, 100), of_other = after(*other, 100);
+  EXPECT_EQ(plain->order_so_far(), 1);
+  const Real t = Real(0.5);
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_LT((of_other[i].position - t * boost - t * t / 2 * gravity - at[i].position).norm(),
+              Real(1e6) * eps)
+        << i;
+}
+
 // A tray that a spring holds against its weight, and a box on it: what hangs from the world falls with nothing.
 TEST(PileIsolated, AWeightThatASpringHoldsStaysWhereItIs) {
   Model model = pile_model(0, Real(0.4), false);
