@@ -129,8 +129,8 @@ const std::array<DiagnosticRow, static_cast<std::size_t>(DiagnosticKind::count)>
      "steps longer than {limit} s are unstable where {cause} acts in full: the motion may grow without "
      "limit"},
     {K::solved_at_once, "solved-at-once", "", "",
-     "impacts = sequential was not kept in {count} substeps, from t = {since} s on: impacts of one body, or "
-     "one and what it presses the body onto, were solved at once"},
+     "impacts = sequential was not kept in {count} substeps, from t = {since} s on: sweeps solved impacts of "
+     "one body, or one and what it presses the body onto, at once"},
     {K::solved_in_turn, "solved-in-turn", "", "",
      "impacts = simultaneous was not kept in {count} steps, from t = {since} s on: impacts of one body at "
      "one instant were solved one after another"},

@@ -53,6 +53,9 @@ struct Block {
   Vector3 impulse = Vector3::Zero();
   Vector3 before = Vector3::Zero();  ///< u before the forces of the step, of a direct solution.
   Vector3 bias = Vector3::Zero();    ///< A direct solution meets the laws with u + bias.
+  Vector3 blow = Vector3::
+      Zero();       ///< Of J what impacts gave that went one after another, before the solution of the part.
+  Real struck = 0;  ///< How fast the fastest of these was approached; 0: there was none [m/s].
   Past past;
 
   Real gap = 0;               ///< When the contact was found [m]; of a stop now [m, rad].
@@ -67,6 +70,12 @@ struct Block {
 
   Real mass = 0;       ///< Along the normal.
   Matrix3 block_mass;  ///< In `space`; contact: across the normal.
+
+  /// Whether both are contacts of the same two bodies, or of a body with the same plane.
+  friend bool same_pair(const Block& x, const Block& y) {
+    return x.kind == Kind::contact && y.kind == Kind::contact && x.a == y.a && x.b == y.b &&
+           x.plane == y.plane;
+  }
 
   bool is_along_normal() const { return kind != Kind::contact && kind != Kind::hold; }
   /// Whether it presses and never pulls.

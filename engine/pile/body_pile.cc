@@ -54,7 +54,6 @@ BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings, st
       still_(model_.bodies.size(), 0),
       stands_(model_.bodies.size(), 0),
       steps_(first),
-      struck_(model_.bodies.size(), 0),
       gravity_(pressing_gravity(model)),
       common_gravity_(common_gravity(model)),
       other_forces_(!model.forces.only_gravity() || model.has_own_gravity()),
@@ -366,8 +365,18 @@ void BodyPile::correct_groups(Time now) {
   set_kinematics();
 }
 
-// One by one where there are too many blocks for one solution.
+// One by one where there are too many blocks for one solution.  Impacts that went one after another come before it, once the
+// forces have changed the velocities that these found.
 void BodyPile::solve_directly(Time now) {
+  const auto struck = [this](const Block& block) { return takes(block) && !block.blow.isZero(0); };
+  for (const Block& block : blocks_)
+    if (struck(block)) push(block, block.blow, movers_);
+  solve_groups(now);
+  for (Block& block : blocks_)
+    if (struck(block)) block.impulse += block.blow;
+}
+
+void BodyPile::solve_groups(Time now) {
   const auto note = [&](bool solved) {
     if (!solved) log_.note(DiagnosticKind::contacts_unsolved, now, {}, direct_.residual());
     smooth_ = smooth_ && solved;
@@ -394,6 +403,7 @@ void BodyPile::substep(Time now, Time h, bool direct) {
   set_kinematics();
   if (isolated_) meet_halfway(blocks_, motions_);
   set_targets(now, static_cast<Real>(h), static_cast<Real>(h));
+  if (direct) strike_in_turn(now, static_cast<Real>(h), false);
   share_ = 0;
   note_impacts(now);
   load(now);
@@ -407,8 +417,8 @@ void BodyPile::substep(Time now, Time h, bool direct) {
     sweep(false);
     measure_sweep();
     work_ += 3 * static_cast<std::int64_t>(blocks_.size());
+    note_at_once(now);
   }
-  note_presses(now);
   carry_impulses();
   for (std::size_t i = 0; keep_ && i < blocks_.size(); ++i)
     if (takes(blocks_[i])) pressed_[i] += blocks_[i].impulse;

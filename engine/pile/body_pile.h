@@ -7,6 +7,7 @@
 #include "engine/pile/bounce.h"
 #include "engine/pile/crowd.h"
 #include "engine/pile/groups.h"
+#include "engine/pile/in_turn.h"
 #include "engine/pile/islands.h"
 #include "engine/pile/overlap.h"
 #include "engine/pile/settings.h"
@@ -29,7 +30,8 @@ class BodyPile : public Stepper {
   const std::vector<Impact>& impacts() const override { return impacts_; }
   std::vector<Diagnostic> diagnostics() const override;
   std::int64_t operations() const override {
-    return work_ + direct_.operations() + overlaps_.operations() + crowd_.operations();
+    return work_ + direct_.operations() + in_turn_.operations() + overlaps_.operations() +
+           crowd_.operations();
   }
   /// 2 as long as all steps are leaps in which nothing strikes and nothing is taken to first order, else 1.
   /// A rotor takes its rate of before from inertias that have turned since: of first order, where its body is not round.  So is
@@ -81,18 +83,20 @@ class BodyPile : public Stepper {
   void measure_sweep();
   void substep(Time now, Time h, bool direct);
   void solve_directly(Time now);
+  void solve_groups(Time now);
   bool takes(std::size_t body) const { return taken_.empty() || taken_[body] != 0; }
   bool takes(const Block&) const;
   static Vector3 resting_impulse(const Block&, Real span);
   void note_pressed();
   void note_pressed(const Block&, const Vector3& impulse, std::vector<Contact>&) const;
-  void note_bounce(const Block&, Time now);
+  void strike_in_turn(Time now, Real h, bool leaps);
+  void note_at_once(Time now);
+  static bool is_impact(const Block& block) { return block.impact || block.struck > 0; }
   void set_kinematics();
   void load(Time now);
   void kick(Real span, Time then);
   void set_targets(Time now, Real span, Real h);
   void note_impacts(Time now);
-  void note_presses(Time now);
   void sweep(bool warm);
   void carry_impulses();
   void drift(Real h);
@@ -116,6 +120,7 @@ class BodyPile : public Stepper {
   std::vector<Block> blocks_;
   std::vector<std::vector<std::pair<std::size_t, std::size_t>>> colours_;  // runs of blocks of one pair
   Bounce direct_;
+  InTurn in_turn_;
   Overlaps overlaps_;
   Islands islands_;
   bool divided_ = false;       // solved group by group:
@@ -153,12 +158,11 @@ class BodyPile : public Stepper {
   std::int64_t work_ = 0;  // operations beside those of what solves
   double residual_ = 0;
   StepLimit limit_;
-  int most_told_ = 1;         // of stiff_parts_
-  bool changing_ = false;     // what a step can bear changes in time
-  int stiff_parts_ = 1;       // of each step, for forces that are unstable in longer ones
-  std::vector<char> struck_;  // bodies that a bounce changes in this part of a step
-  double swept_to_ = 0;  // largest change of a velocity that the last sweep of a step left, or made [m/s]
-  int swept_times_ = 0;  // sweeps over the contacts in that step
+  int most_told_ = 1;      // of stiff_parts_
+  bool changing_ = false;  // what a step can bear changes in time
+  int stiff_parts_ = 1;    // of each step, for forces that are unstable in longer ones
+  double swept_to_ = 0;    // largest change of a velocity that the last sweep of a step left, or made [m/s]
+  int swept_times_ = 0;    // sweeps over the contacts in that step
   DiagnosticLog log_;
   Real gravity_ = 0;  // pressing_gravity() [m/s^2]
   Vector3 common_gravity_;

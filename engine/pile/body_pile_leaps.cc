@@ -101,6 +101,7 @@ void BodyPile::kick_ahead(Time now, Real lag, Real h) {
   const Real span = lag + h / 2;
   if (isolated_) meet_halfway(blocks_, motions_);
   set_targets(now, span, h);
+  strike_in_turn(now, h, true);
   set_bias(lag, h);
   start_.resize(motions_.size()), ahead_.resize(motions_.size()), rates_.resize(motions_.size());
   for (std::size_t i = 0; i < motions_.size(); ++i)
@@ -117,7 +118,6 @@ void BodyPile::kick_ahead(Time now, Real lag, Real h) {
   impacts_.swap(coming_);
   if (isolated_) islands_.note(motions_);
   solve_directly(now);
-  note_presses(now);
   carry_impulses();
   if (isolated_) islands_.limit_energy(motions_), set_kinematics();
   for (std::size_t i = 0; i < motions_.size(); ++i) {
@@ -197,12 +197,8 @@ void BodyPile::set_bias(Real lag, Real h) {
 // Of the points of a pair all are known or none, so that mirrored ones meet mirrored laws.
 void BodyPile::forget_parts_of_pairs() {
   for (std::size_t from = 0, to = 0; from < blocks_.size(); from = to) {
-    const auto same_pair = [&](const Block& b) {
-      return b.kind == Block::Kind::contact && b.a == blocks_[from].a && b.b == blocks_[from].b &&
-             b.plane == blocks_[from].plane;
-    };
     bool known = blocks_[from].past.known;
-    for (to = from + 1; to < blocks_.size() && same_pair(blocks_[from]) && same_pair(blocks_[to]); ++to)
+    for (to = from + 1; to < blocks_.size() && same_pair(blocks_[from], blocks_[to]); ++to)
       known &= blocks_[to].past.known;
     for (std::size_t k = from; k < to; ++k) blocks_[k].past.known = known;
   }

@@ -15,7 +15,7 @@ void BodyPile::set_targets(Time now, Real span, Real h) {
   for (Block& block : blocks_) {
     if (!takes(block)) continue;
     block.before = relative_velocity(block, movers_);
-    block.bias.setZero();
+    block.bias.setZero(), block.blow.setZero(), block.struck = 0;
     if (block.past.acted > 0) block.impulse *= span / block.past.acted;  // where the solution begins
     block.limit = block.friction * span, block.past.acted = span;
     if (block.kind == Block::Kind::soft) soften(block, now, span, h);
@@ -32,17 +32,30 @@ void BodyPile::set_targets(Time now, Real span, Real h) {
   }
 }
 
+// Before the forces of the part, whose length is h: impacts one after another, where that was asked for and there are several.
+// Where a part is a leap, a group that gives nothing back stops when the surfaces meet.
+void BodyPile::strike_in_turn(Time now, Real h, bool leaps) {
+  if (model_.impacts != Impacts::sequential) return;
+  if (std::none_of(blocks_.begin(), blocks_.end(), [](const Block& b) { return b.impact; })) return;
+  const InTurn::Part part = {h, 4 * gravity_ * h, leaps && !isolated_};
+  const std::vector<Group> all = divided_ ? std::vector<Group>() : find_groups(blocks_, movers_);
+  for (const Group& group : divided_ ? groups_ : all) {
+    const InTurn::Outcome outcome = in_turn_.strike(group, part, blocks_, model_.bodies, movers_, motions_);
+    if (outcome.ordered) log_.note(DiagnosticKind::impacts_ordered, now);
+    if (!outcome.ended) log_.note(DiagnosticKind::impacts_unending, now, InTurn::most_rounds);
+    if (outcome.solved) continue;
+    log_.note(DiagnosticKind::contacts_unsolved, now, {}, in_turn_.residual());
+    residual_ = std::max(residual_, in_turn_.residual());
+  }
+}
+
 void BodyPile::note_impacts(Time now) {
-  std::fill(struck_.begin(), struck_.end(), char{0});
   for (std::size_t k = 0; k < blocks_.size(); ++k) {
     const Block& block = blocks_[k];
-    if (!takes(block) || !block.impact) continue;
+    if (!takes(block) || !is_impact(block)) continue;
     smooth_ = false;
-    if (block.kind == Block::Kind::stop) {
-      if (block.restitution > 0) note_bounce(block, now);
-    } else {
-      note_impact(k, now, block.gap_now, -speed_now(block));
-    }
+    if (block.kind != Block::Kind::stop)
+      note_impact(k, now, block.gap_now, block.impact ? -speed_now(block) : block.struck);
   }
 }
 
@@ -93,41 +106,40 @@ void BodyPile::look_at_stops() {
 // Points of one pair are one impact.
 void BodyPile::note_impact(std::size_t k, Time now, Real gap, Real approach) {
   const Block& block = blocks_[k];
-  if (!impacts_.empty() && k > 0 && blocks_[k - 1].impact && blocks_[k - 1].a == block.a &&
-      blocks_[k - 1].b == block.b && blocks_[k - 1].plane == block.plane)
-    return;
-  if (block.restitution > 0) note_bounce(block, now);
+  if (!impacts_.empty() && k > 0 && is_impact(blocks_[k - 1]) && same_pair(blocks_[k - 1], block)) return;
   impacts_.push_back({now + static_cast<Time>(gap > 0 ? gap / approach : 0), block.a, block.b, block.plane,
                       approach, block.restitution * approach});
 }
 
-void BodyPile::note_bounce(const Block& block, Time now) {
-  for (const int body : {block.a, block.b}) {
-    if (body == fixed_world || model_.bodies[index(body)].locked) continue;
-    if (struck_[index(body)] && model_.impacts == Impacts::sequential)
-      log_.note(DiagnosticKind::solved_at_once, now);
-    struck_[index(body)] = 1;
-  }
-}
-
-// A blow that presses a body onto what it touches, in the same solution: one after the other the body would have given way, and
-// met that afterwards.
-void BodyPile::note_presses(Time now) {
+// Sweeps take all impacts at once, of one body several, or one and what it presses the body onto: one after the other the body
+// would have given way, and met that afterwards.
+void BodyPile::note_at_once(Time now) {
   if (model_.impacts != Impacts::sequential) return;
   const auto blows = [&](const Block& b) {
     return takes(b) && b.impact && b.is_one_sided() && b.restitution > 0;
   };
   if (std::none_of(blocks_.begin(), blocks_.end(), blows)) return;
+  const auto said = [&] { log_.note(DiagnosticKind::solved_at_once, now); };
   std::vector<Mover> blown = movers_;
   for (Mover& mover : blown) mover.v.setZero(), mover.w.setZero();
-  for (const Block& block : blocks_)
-    if (blows(block)) push(block, block.impulse, blown);
+  std::vector<char> struck(movers_.size(), 0);
+  for (std::size_t k = 0; k < blocks_.size(); ++k) {
+    const Block& block = blocks_[k];
+    if (!blows(block)) continue;
+    push(block, block.impulse, blown);
+    if (k > 0 && blows(blocks_[k - 1]) && same_pair(blocks_[k - 1], block)) continue;
+    for (const int body : {block.a, block.b}) {
+      if (body == fixed_world || model_.bodies[index(body)].locked) continue;
+      if (struck[index(body)]) return said();
+      struck[index(body)] = 1;
+    }
+  }
   const auto presses = [&](const Block& b) {
     if (!takes(b) || !b.is_one_sided() || blows(b) || !(b.normal.dot(b.impulse) > 0)) return false;
     const Vector3 given = relative_velocity(b, blown);
     return b.normal.dot(given) < -Real(1e-6) * given.norm();
   };
-  if (std::any_of(blocks_.begin(), blocks_.end(), presses)) log_.note(DiagnosticKind::solved_at_once, now);
+  if (std::any_of(blocks_.begin(), blocks_.end(), presses)) said();
 }
 
 }  // namespace cylon::engine::pile

@@ -27,9 +27,9 @@ struct Work {
   Real sum = 0, size = 0;
 };
 
-// P without what a rotor gives, -rotor (u - turned) of it: that comes from the rotor's own energy.
+// P with what impacts before gave, and without what a rotor gives, -rotor (u - turned) of it: that comes from the rotor's own energy.
 Vector3 without_rotor(const Block& block, const Vector3& impulse, const Vector3& after) {
-  return impulse + block.rotor * (block.normal.dot(after) - block.turned) * block.normal;
+  return impulse + block.blow + block.rotor * (block.normal.dot(after) - block.turned) * block.normal;
 }
 
 // Sum of P.(u- + u+)/2 over a group.

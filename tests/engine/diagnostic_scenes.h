@@ -208,6 +208,15 @@ inline Model boxes_on_floor(int count, Real apart) {
   return model;
 }
 
+// A box falls onto one of 200 beside each other, which a spring makes one matter of sweeps.
+inline Model blow_among_many(Real restitution) {
+  Model model = boxes_on_floor(200, Real(1.25));
+  model.materials.assign(4, {restitution, Real(0.3)});
+  box(model, {Real(0.125), Real(1.55), 0}, {0, -2, 0});
+  model.forces.springs.push_back({0, {0, 0, 0}, 1, {0, 0, 0}, 1, Real(1.25), 0});
+  return model;
+}
+
 inline Model chain_of_boxes(int count) {
   Model model = floor({0, Real(0.5)});
   for (int i = 0; i < count; ++i) {
@@ -227,16 +236,6 @@ inline Model held_in_two_places() {
   box(model, {0, Real(0.5), 0}, {0, 0, 0});
   for (const Real x : {Real(0), Real(0.1)})
     model.joints.push_back({.body = 0, .to_anchor = {x, Real(0.5), 0}});
-  return model;
-}
-
-// Boxes in the corner of two planes: both are struck at once.
-inline Model struck_twice() {
-  Model model;
-  add_body(model, make_body(1, Matrix3::Identity() * Real(0.02)), {Real(0.5), Real(0.5), 0}, {0, 0, 0},
-           {-1, -1, 0}, {0, 0, 0}, Box{{Real(0.2), Real(0.2), Real(0.2)}});
-  model.planes = {{Vector3::UnitY(), 0}, {Vector3::UnitX(), 0}};
-  make_touchable(model, Real(0.5));
   return model;
 }
 

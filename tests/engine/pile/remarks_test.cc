@@ -1,6 +1,6 @@
 // What the stepping path cannot keep, it says: steps too long for a force, and the order of impacts at one
 // instant.
-#include "tests/engine/fixtures.h"
+#include "tests/engine/diagnostic_scenes.h"
 
 #include <functional>
 
@@ -105,42 +105,15 @@ TEST(StiffForces, AreSeenAsMassesBurnAndFramesSpinUp) {
   }
 }
 
-// A box that lies on two planes of a corner is struck by both at once; on one plane it is one impact.
-TEST(SteppingRemarks, SayWhenSequentialImpactsAreSolvedAtOnce) {
-  for (const bool corner : {false, true}) {
-    Model model;
-    add_body(model, make_body(1, Matrix3::Identity() * Real(0.02)), {Real(0.5), Real(0.5), 0}, {0, 0, 0},
-             {-1, -1, 0}, {0, 0, 0}, Box{{Real(0.2), Real(0.2), Real(0.2)}});
-    model.planes.push_back({Vector3::UnitY(), 0});
-    if (corner) model.planes.push_back({Vector3::UnitX(), 0});
-    make_touchable(model, Real(0.5));
-    EXPECT_EQ(says(run(model, stepping(0.01), 60).remarks, "impacts = sequential was not kept"), corner);
-    model.impacts = Impacts::simultaneous;
-    EXPECT_FALSE(says(run(model, stepping(0.01), 60).remarks, "impacts ="));
-  }
-}
-
-// A box falls flat onto one that rests: one after the other the lower one gives way first, which nothing said.  A blow along the
-// floor presses nothing onto it.
-TEST(SteppingRemarks, SayWhenABlowPressesWhatRests) {
-  const auto said = [](const Vector3& place, const Vector3& velocity, Real restitution, Impacts impacts) {
-    Model model;
-    const auto add = [&](Real mass, const Vector3& at, const Vector3& speed) {
-      add_body(model, make_body(mass, Matrix3::Identity() * Real(0.02)), at, {0, 0, 0}, speed, {0, 0, 0},
-               Box{{Real(0.2), Real(0.2), Real(0.2)}});
-    };
-    add(1, {0, Real(0.2), 0}, {0, 0, 0}), add(Real(0.3), place, velocity);
-    model.planes = {{Vector3::UnitY(), 0}};
-    model.forces.gravity = {0, Real(-9.81), 0};
-    make_touchable(model, restitution);
+// Sweeps take what one body is struck with, and what it is pressed onto, in one; nothing said so.
+TEST(SteppingRemarks, SayWhenSequentialImpactsAreSweptAtOnce) {
+  const auto said = [](Model model, Impacts impacts) {
     model.impacts = impacts;
-    return says(run(model, stepping(0.01), 20).remarks, "impacts = sequential was not kept");
+    return says(run(model, stepping(0.01), 6).remarks, "impacts = sequential was not kept");
   };
-  const Vector3 above(0, Real(0.8), 0), beside(Real(0.8), Real(0.2), 0);
-  EXPECT_TRUE(said(above, {0, -2, 0}, Real(0.5), Impacts::sequential));
-  EXPECT_FALSE(said(above, {0, -2, 0}, Real(0.5), Impacts::simultaneous));
-  EXPECT_FALSE(said(above, {0, -2, 0}, 0, Impacts::sequential));
-  EXPECT_FALSE(said(beside, {-4, 0, 0}, Real(0.5), Impacts::sequential));
+  EXPECT_TRUE(said(blow_among_many(Real(0.5)), Impacts::sequential));
+  EXPECT_FALSE(said(blow_among_many(Real(0.5)), Impacts::simultaneous));
+  EXPECT_FALSE(said(blow_among_many(0), Impacts::sequential));
 }
 
 }  // namespace
