@@ -131,25 +131,19 @@ InTurn::Outcome InTurn::strike(const Group& group, const Part& part, std::vector
     return size > 64 * speed_rounding(block, lists_.movers);
   };
   int strikes = 0;
-  for (int round = 0; round < most_rounds; ++round) {
-    const int before = strikes;
+  outcome.ended = false;
+  for (int round = 0; round < most_rounds && !outcome.ended; ++round) {
+    outcome.ended = true;
     for (const Pair& pair : pairs_) {
       if (!struck(pair)) continue;
-      ++strikes;
+      ++strikes, outcome.ended = false;
       if (!outcome.ordered) look(pair);
       outcome.solved &= solve(pair, part);
       outcome.ordered = outcome.ordered || std::any_of(found.begin(), found.end(), changed);
     }
-    if (strikes > before) continue;
-    if (strikes < 2) return {};
-    outcome.in_turn = true;
-    write_back(group, blocks);
-    return outcome;
   }
-  outcome.ended = false;
-  for (const int k : group.blocks)
-    if (Block& block = blocks[index(k)]; block.is_one_sided())
-      block.target = -std::max(block.gap_now, Real(0)) / part.length;
+  if (strikes < 2) return {};
+  write_back(group, blocks);
   return outcome;
 }
 

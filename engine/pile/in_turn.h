@@ -12,23 +12,22 @@ namespace cylon::engine::pile {
 /// faster than gravity would make it.
 class InTurn {
  public:
+  /// Where `stops`, a group that an impact gives nothing back stops when the surfaces meet; else its gap may close in the part.
   struct Part {
     Real length;  ///< h [s].
     Real slow;    ///< Speeds up to this are no impact [m/s].
-    bool
-        stops;  ///< Where an impact gives nothing back the group stops when the surfaces meet; else its gap may close in h.
+    bool stops;
   };
   struct Outcome {
-    bool in_turn =
-        false;  ///< More than one impact: the blocks have them.  Else the solution of the part has all there is.
     bool ordered = false;  ///< Another order might have done something else.
-    bool ended = true;   ///< Nothing approached before `most_rounds` were over; else the blocks have nothing.
-    bool solved = true;  ///< As Direct::solve().
+    bool ended = true;     ///< Nothing approached before `most_rounds` were over.
+    bool solved = true;    ///< As Direct::solve().
   };
   static constexpr int most_rounds = 200;
 
   /// In: blocks whose targets are set.  Out, of those of the group: the impulses of all impacts, how fast each was approached, and
-  /// targets that keep what the impacts leave while forces act.  Motions are not changed.
+  /// targets that keep what the impacts leave while forces act; what still approaches after `most_rounds` is left to the solution
+  /// of the part, without restitution.  A single impact is left to it whole.  Motions are not changed.
   Outcome strike(const Group&, const Part&, std::vector<Block>&, const std::vector<Body>&,
                  const std::vector<Mover>&, const std::vector<Motion>&);
 
