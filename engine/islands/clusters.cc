@@ -1,6 +1,7 @@
 #include "engine/islands/clusters.h"
 
 #include "engine/islands/unions.h"
+#include "engine/joint_points.h"
 
 #include <algorithm>
 #include <functional>
@@ -93,7 +94,8 @@ std::vector<std::optional<Ball>> find_bounds(const Model& model) {
   if (model.joints.empty()) return bounds;
   std::vector<std::vector<Link>> links(model.bodies.size());
   std::priority_queue<Reached, std::vector<Reached>, std::greater<>> queue;
-  for (const Joint& joint : model.joints) {
+  for (const Joint& named : model.joints) {
+    const Joint joint = at_centres(named, model);
     if (joint.type.place == Joint::Place::along_axis || joint.type.place == Joint::Place::in_plane) continue;
     const auto side = [&](int body, const Vector3& anchor, int to, const Vector3& to_anchor) {
       if (!model.moves(body)) return;

@@ -3,6 +3,7 @@
 #include "engine/constraint.h"
 #include "engine/free_rotation.h"
 #include "engine/joint.h"
+#include "engine/joint_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,9 +27,9 @@ bool is_stiff(CoordinateLaw law, const std::vector<Body>& bodies, Time dt) {
 
 }  // namespace
 
-// What in joints is solved with the joints: forces that are not stable by themselves in a step, or might not be, and rotors,
-// which stand by themselves where the rest of their law is none of these.
-Model BodyPile::with_stiff_laws_held(Model model, Time dt) {
+// Joints where nothing depends on how they are named.  What in them is solved with them: forces that are not stable by
+// themselves in a step, or might not be, and rotors, which stand by themselves where the rest of their law is none of these.
+Model BodyPile::as_stepped(Model model, Time dt) {
   std::vector<CoordinateLaw>& laws = model.forces.coordinate_laws;
   for (std::size_t i = 0, n = laws.size(); i < n; ++i) {
     laws[i].held = laws[i].quadratic_damping != 0 || is_stiff(laws[i], model.bodies, dt);
@@ -37,11 +38,12 @@ Model BodyPile::with_stiff_laws_held(Model model, Time dt) {
     rotor.at = laws[i].at, rotor.armature = std::exchange(laws[i].armature, Real(0)), rotor.held = true;
     laws.push_back(std::move(rotor));
   }
+  for (Joint& joint : model.joints) joint = at_centres(joint, model);
   return model;
 }
 
 BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings, std::int64_t first)
-    : model_(with_stiff_laws_held(model, dt)),
+    : model_(as_stepped(model, dt)),
       masses_(model_.bodies),
       dt_(dt),
       settings_(settings),

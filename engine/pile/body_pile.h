@@ -73,7 +73,7 @@ class BodyPile : public Stepper {
   bool is_slow(const Group&, Real speed) const;
   bool is_on_edge(int body, const Group&) const;
   void meet(const Group&, Time now, Real h);
-  static Model with_stiff_laws_held(Model, Time dt);
+  static Model as_stepped(Model, Time dt);
   void soften(Block&, Time now, Real span, Real h) const;
   void note_rotors();
   Real gap_of_stop(const Block&) const;
