@@ -109,12 +109,19 @@ Response::Response(std::span<const TouchPoint> touches, std::span<const Row> joi
   const auto s = scale.asDiagonal();
   joint_inverse_ = s * LeastNorm(s * g.bottomRightCorner(m, m) * s).inverse() * s;
   matrix_ -= cross_ * joint_inverse_ * cross_.transpose();
+  for (Eigen::Index i = 0; i < contacts_; ++i) {
+    if (matrix_(i, i) > 64 * epsilon * g(i, i)) continue;
+    matrix_.row(i).setZero(), matrix_.col(i).setZero();
+    kept_.push_back(i);
+  }
 }
 
 VectorX Response::offset(const VectorX& free) const {
   const Eigen::Index m = free.size() - contacts_;
   if (m == 0) return free;
-  return free.head(contacts_) - cross_ * (joint_inverse_ * free.tail(m));
+  VectorX result = free.head(contacts_) - cross_ * (joint_inverse_ * free.tail(m));
+  for (const Eigen::Index row : kept_) result[row] = 0;
+  return result;
 }
 
 VectorX Response::multipliers(const VectorX& free, const VectorX& contact_force) const {

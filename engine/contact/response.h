@@ -22,6 +22,7 @@ void append_rows(const TouchPoint&, const std::vector<Body>&, const Motion*, std
 /// Rows of contacts, three per point, and of joints after them.  Joints pull and push as they must, so they
 /// are eliminated: with G = J M^-1 J^T in blocks c (contacts) and j (joints, with the yields of their rotors),
 ///   A = G_cc - G_cj G_jj^+ G_jc,   q = q_c - G_cj G_jj^+ q_j,   lambda = -G_jj^+ (q_j + G_jc f).
+/// Along rows that joints alone keep, A and q are exactly 0: of their rounding forces would be made that are no numbers.
 class Response {
  public:
   /// `joints`: rows with their directions and levers; biases are the caller's.
@@ -44,6 +45,7 @@ class Response {
   MatrixX matrix_;         // A
   MatrixX joint_inverse_;  // G_jj^+
   MatrixX cross_;          // G_cj
+  std::vector<Eigen::Index> kept_;
 };
 
 /// Momenta change by lambda times each row.  K_a += lambda n, L_a += lambda s_a, and the opposite on `to`.
