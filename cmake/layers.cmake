@@ -125,7 +125,8 @@ function(test_suite name)
     add_test(NAME ${name}/${fixture} COMMAND ${name}_tests --gtest_brief=1 --gtest_filter=${fixture}.*)
     set_tests_properties(${name}/${fixture} PROPERTIES LABELS ${name} COST ${long_test} TIMEOUT 3600)
   endforeach()
-  gtest_discover_tests(${name}_tests TEST_FILTER "*-${alone}" TEST_PREFIX "${name}/" DISCOVERY_TIMEOUT 60
+  # Without the values of parameters, which may be addresses: ctest knows again what a test of the same name took.
+  gtest_discover_tests(${name}_tests TEST_FILTER "*-${alone}" TEST_PREFIX "${name}/" DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES
                        PROPERTIES LABELS ${name})
 endfunction()
 
