@@ -249,23 +249,26 @@ void sign(RunOutcome& outcome) {
   recording.complaints = outcome.stderr_tail;
 }
 
-/// Does `task`, turning its failures into the outcome's status and reason.
+/// Does `task`, turning its failures into the outcome's status and reason.  Whether the worker may be asked on.
 template <class Task>
-void attempt(RunOutcome& outcome, Task task) try {
+bool attempt(RunOutcome& outcome, Task task) try {
   task();
+  return true;
 } catch (const Failure& failure) {
   outcome.status = failure.status;
   outcome.reason = failure.what();
+  return dynamic_cast<const Refused*>(&failure) != nullptr;
 } catch (const MalformedMessage& error) {
   outcome.status = results::Status::protocol;
   outcome.reason = error.what();
+  return false;
 }
 
 }  // namespace
 
 struct Session::Worker {
-  explicit Worker(const EngineChoice& choice, const Limits& limits)
-      : conversation(command_of(choice.row), limits.memory_bytes) {}
+  explicit Worker(const EngineRow& row, const Limits& limits)
+      : conversation(command_of(row), limits.memory_bytes) {}
   Conversation conversation;
   Hello hello;
 };
@@ -293,30 +296,31 @@ RunOutcome run(const EngineChoice& choice, const RunRequest& request, const Limi
   return outcome;
 }
 
-Session::Session(EngineChoice choice, const Limits& limits) : choice_(std::move(choice)), limits_(limits) {}
+Session::Session(EngineRow row, const Limits& limits) : row_(std::move(row)), limits_(limits) {}
 
 Session::~Session() {
   if (worker_) worker_->conversation.kill();
 }
 
-RunOutcome Session::run(const RunRequest& request) {
+RunOutcome Session::run(const EngineChoice& choice, const RunRequest& request) {
   const Run wanted = requested(request);
   if (request.repetitions != 0) throw std::invalid_argument("a session repeats no run");
   RunOutcome outcome;
+  bool well = false;
   try {
-    attempt(outcome, [&] {
+    well = attempt(outcome, [&] {
       if (!worker_) {
-        worker_ = std::make_unique<Worker>(choice_, limits_);
-        worker_->hello = introduce(worker_->conversation, choice_.row, limits_.hello_seconds);
+        worker_ = std::make_unique<Worker>(row_, limits_);
+        worker_->hello = introduce(worker_->conversation, row_, limits_.hello_seconds);
       }
       outcome.recording =
-          recorded(worker_->conversation, choice_, request, wanted, worker_->hello, limits_, outcome);
+          recorded(worker_->conversation, choice, request, wanted, worker_->hello, limits_, outcome);
     });
   } catch (...) {  // an impossible setup, or an interruption
     worker_.reset();
     throw;
   }
-  if (!outcome.recording && worker_) {
+  if (!well && worker_) {
     worker_->conversation.kill();
     outcome.stderr_tail = worker_->conversation.complaints();
     worker_.reset();
@@ -334,10 +338,8 @@ KeptWorkers::~KeptWorkers() { innermost = outer_; }
 KeptWorkers* KeptWorkers::here() { return innermost; }
 
 RunOutcome KeptWorkers::run(const EngineChoice& choice, const RunRequest& request, const Limits& limits) {
-  // A choice may have been changed since its id was read.
-  std::string key = fmt::format("{}\n{}\n{}", choice.id, choice.path, choice.integrator);
-  for (const auto& [option, value] : choice.options) key += fmt::format("\n{}={}", option, value);
-  return sessions_.try_emplace(key, choice, limits).first->second.run(request);
+  const std::pair process(choice.row.started_by, choice.row.command);
+  return sessions_.try_emplace(process, choice.row, limits).first->second.run(choice, request);
 }
 
 void require_possible(const EngineChoice& choice) {

@@ -14,4 +14,9 @@ struct Failure : std::runtime_error {
   results::Status status;
 };
 
+/// A scene that the engine cannot express: the worker is well, and may be asked for another.
+struct Refused : Failure {
+  explicit Refused(const std::string& reason) : Failure(results::Status::unsupported, reason) {}
+};
+
 }  // namespace cylon::process

@@ -90,12 +90,10 @@ core::Terms open_scene(Conversation& worker, const EngineChoice& choice, const c
                        const core::Setup& asked, const core::Engine& engine, double seconds) {
   const core::Setup setup = merged(choice, asked);
   require_adaptive(engine, choice.id, setup);
-  if (const auto reason = core::not_known(engine, scene))
-    throw Failure(results::Status::unsupported, *reason);
+  if (const auto reason = core::not_known(engine, scene)) throw Refused(*reason);
   worker.ask(load_request(scene, setup), seconds);
   const json answer = worker.next_line();
-  if (const auto reason = text_of(answer, "unsupported"))
-    throw Failure(results::Status::unsupported, *reason);
+  if (const auto reason = text_of(answer, "unsupported")) throw Refused(*reason);
   if (const auto reason = text_of(answer, "error"))
     throw core::InputError(fmt::format("engine '{}': {}", choice.id, *reason));
   require_ok(answer, "load");

@@ -21,7 +21,7 @@ std::vector<std::string> command_of(const EngineRow&);
 Hello introduce(Conversation&, const EngineRow&, double seconds);
 
 /// Loads a scene under a deadline [s] for that and all that follows.  What the choice states (path,
-/// integrator, options) goes before the setup.  Throws Failure(unsupported); core::InputError where the
+/// integrator, options) goes before the setup.  Throws Refused; core::InputError where the
 /// worker calls the setup impossible, or where an integrator that does not control its error is given a
 /// tolerance.
 core::Terms open_scene(Conversation&, const EngineChoice&, const core::Scene&, const core::Setup&,

@@ -6,25 +6,28 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace cylon::process {
 
-/// One worker for many runs, one after another: a run of a few milliseconds costs no process of its own.  A run that does not
-/// pass ends the worker, and the next one starts afresh.  Belongs to one thread, and dies with it.
+/// One worker for many runs, one after another: a run of a few milliseconds costs no process of its own.  A run that fails
+/// ends the worker, and the next one starts afresh; a scene that the engine refuses does not.  Belongs to one thread, and dies
+/// with it.
 class Session {
  public:
-  Session(EngineChoice, const Limits&);
+  Session(EngineRow, const Limits&);
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// As run() above, with the limit of memory over all runs so far; repetitions are refused (std::invalid_argument), and what the
-  /// worker writes to stderr is told of runs that do not pass alone.
-  RunOutcome run(const RunRequest&);
+  /// As run() in client.h, with the limit of memory over all runs so far; repetitions are refused (std::invalid_argument), and
+  /// what the worker writes to stderr is told of runs that fail alone.  The choice is one of the session's engine.
+  RunOutcome run(const EngineChoice&, const RunRequest&);
 
  private:
   struct Worker;
-  EngineChoice choice_;
+  EngineRow row_;
   Limits limits_;
   std::unique_ptr<Worker> worker_;
 };
@@ -44,7 +47,8 @@ class KeptWorkers {
   RunOutcome run(const EngineChoice&, const RunRequest&, const Limits&);
 
  private:
-  std::map<std::string, Session> sessions_;  // by the engine and its variant
+  using Command = std::vector<std::string>;
+  std::map<std::pair<Command, Command>, Session> sessions_;  // by what starts the worker, and the worker
   KeptWorkers* outer_;
 };
 

@@ -40,18 +40,39 @@ core::Scene thrown(double speed) {
 
 EngineChoice engine(const char* id) { return parse_engine(id, default_engines(binary_dir)); }
 
-RunOutcome in(Session& session, const core::Scene& scene) {
-  return session.run({.scene = &scene, .setup = {.dt = 0.002}, .steps = 300, .every = 100});
+RunOutcome in(Session& session, const EngineChoice& choice, const core::Scene& scene) {
+  return session.run(choice, {.scene = &scene, .setup = {.dt = 0.002}, .steps = 300, .every = 100});
 }
+
+// An engine whose starts are counted, by a wrapper that notes them.
+class Noted {
+ public:
+  explicit Noted(const char* id) : choice(engine(id)) {
+    choice.row.command.insert(choice.row.command.begin(),
+                              {"sh", "-c", "echo >>" + notes_ + "; exec \"$@\"", "sh"});
+  }
+  std::ptrdiff_t started() const {
+    std::ifstream file(notes_);
+    return std::count(std::istreambuf_iterator<char>(file), {}, '\n');
+  }
+
+ private:
+  const TemporaryFolder folder_;
+  const std::string notes_ = folder_.path() / "notes";
+
+ public:
+  EngineChoice choice;
+};
 
 TEST(Sessions, GiveTheBitsOfRunsInWorkersOfTheirOwn) {
   for (const std::string& id : compared_engines()) {
-    Session session(engine(id.c_str()), {});
+    const EngineChoice choice = engine(id.c_str());
+    Session session(choice.row, {});
     for (const double speed : {0.5, 1.5, 0.5}) {
       const core::Scene scene = thrown(speed);
-      const RunOutcome together = in(session, scene),
-                       alone = run(engine(id.c_str()),
-                                   {.scene = &scene, .setup = {.dt = 0.002}, .steps = 300, .every = 100});
+      const RunOutcome together = in(session, choice, scene),
+                       alone =
+                           run(choice, {.scene = &scene, .setup = {.dt = 0.002}, .steps = 300, .every = 100});
       ASSERT_TRUE(together.recording) << id << ": " << together.reason;
       ASSERT_TRUE(alone.recording) << id << ": " << alone.reason;
       ASSERT_EQ(together.recording->states.size(), alone.recording->states.size());
@@ -66,63 +87,76 @@ TEST(Sessions, GiveTheBitsOfRunsInWorkersOfTheirOwn) {
   }
 }
 
-TEST(Sessions, GoOnAfterARunThatDoesNotPass) {
-  Session session(engine("ode"), {});
-  core::Scene refused = thrown(1);
-  core::Joint screw{.type = core::JointType::screw};  // ODE has none
-  screw.pitch = 1;
-  refused.joints = {screw};
+// A joint that the engine does not know, and one that its adapter refuses.
+TEST(Sessions, KeepTheirWorkerWhereASceneIsRefused) {
+  const Noted ode("ode");
+  Session session(ode.choice.row, {});
   const core::Scene scene = thrown(1);
-  const RunOutcome first = in(session, scene);
-  EXPECT_EQ(in(session, refused).status, results::Status::unsupported);
-  const RunOutcome again = in(session, scene);
+  const RunOutcome first = in(session, ode.choice, scene);
+  core::Scene unknown = scene, refused = scene;
+  unknown.joints = {core::Joint{.type = core::JointType::screw}};
+  unknown.joints[0].pitch = 1;
+  refused.joints = {core::Joint{.type = core::JointType::gimbal, .axis_2 = core::Vector3::UnitY()}};
+  refused.joints[0].angles = {{core::JointCoordinate{.upper = 1}}};
+  const RunOutcome of_unknown = in(session, ode.choice, unknown),
+                   of_refused = in(session, ode.choice, refused);
+  EXPECT_EQ(of_unknown.status, results::Status::unsupported);
+  EXPECT_NE(of_unknown.reason.find("screw_joints"), std::string::npos) << of_unknown.reason;
+  EXPECT_EQ(of_refused.status, results::Status::unsupported);
+  EXPECT_NE(of_refused.reason.find("ODE's ball has no limits"), std::string::npos) << of_refused.reason;
+  const RunOutcome again = in(session, ode.choice, scene);
   ASSERT_TRUE(first.recording && again.recording) << first.reason << again.reason;
   EXPECT_EQ(first.recording->states.back()[0].position, again.recording->states.back()[0].position);
+  EXPECT_EQ(ode.started(), 1);
 }
 
-// How often a worker was started, by a wrapper that notes it.
+TEST(Sessions, StartAfreshAfterAFailure) {
+  const Noted ode("ode");
+  Session session(ode.choice.row, {});
+  const core::Scene scene = thrown(1);
+  EXPECT_TRUE(in(session, ode.choice, scene).recording);
+  EngineChoice impossible = ode.choice;
+  impossible.integrator = "none-such";
+  EXPECT_THROW(in(session, impossible, scene), core::InputError);
+  EXPECT_TRUE(in(session, ode.choice, scene).recording);
+  EXPECT_EQ(ode.started(), 2);
+}
+
 TEST(KeptWorkers, ServeRunsOfTheirThreadAsLongAsTheyLive) {
-  const TemporaryFolder folder;
-  const std::string notes = folder.path() / "notes";
-  EngineChoice noted = engine("ode");
-  noted.row.command.insert(noted.row.command.begin(),
-                           {"sh", "-c", "echo >>" + notes + "; exec \"$@\"", "sh"});
-  const auto started = [&] {
-    std::ifstream file(notes);
-    return std::count(std::istreambuf_iterator<char>(file), {}, '\n');
-  };
+  const Noted noted("ode");
   const core::Scene scene = thrown(1);
   const RunRequest request{.scene = &scene, .setup = {.dt = 0.002}, .steps = 300, .every = 100};
-  const auto end = [&] { return run(noted, request).recording.value().states.back()[0].position; };
+  const auto end = [&] { return run(noted.choice, request).recording.value().states.back()[0].position; };
   const core::Vector3 alone = end();
-  EXPECT_EQ(started(), 1);
+  EXPECT_EQ(noted.started(), 1);
   {
     const KeptWorkers kept;
     for (int i = 0; i < 3; ++i) EXPECT_EQ(end(), alone);
-    EXPECT_EQ(started(), 2);
+    EXPECT_EQ(noted.started(), 2);
     std::thread(end).join();  // not its thread
-    EXPECT_EQ(started(), 3);
+    EXPECT_EQ(noted.started(), 3);
     RunRequest timed = request;
     timed.repetitions = 1;
-    EXPECT_EQ(run(noted, timed).repetitions.size(), 1u);
-    EXPECT_EQ(started(), 4);
+    EXPECT_EQ(run(noted.choice, timed).repetitions.size(), 1u);
+    EXPECT_EQ(noted.started(), 4);
     {
       const KeptWorkers inner;
       EXPECT_EQ(end(), alone);
-      EXPECT_EQ(started(), 5);
+      EXPECT_EQ(noted.started(), 5);
     }
     EXPECT_EQ(end(), alone);
-    EXPECT_EQ(started(), 5);
+    EXPECT_EQ(noted.started(), 5);
   }
   EXPECT_EQ(end(), alone);
-  EXPECT_EQ(started(), 6);
+  EXPECT_EQ(noted.started(), 6);
 }
 
-// A choice that was changed after its id was read had the worker, and the options, of the first one.
+// A choice that was changed after its id was read had the options of the first one.  All are of one worker.
 TEST(KeptWorkers, TellChoicesOfOneIdApart) {
+  const Noted noted("bullet");
   const core::Scene scene = thrown(1);
   const RunRequest request{.scene = &scene, .setup = {.dt = 0.002}, .steps = 300, .every = 100};
-  const EngineChoice plain = engine("bullet");
+  const EngineChoice plain = noted.choice;
   EngineChoice other = plain;
   other.options["gyro"] = "none";
   const auto end = [&](const EngineChoice& choice) {
@@ -134,19 +168,18 @@ TEST(KeptWorkers, TellChoicesOfOneIdApart) {
   EXPECT_EQ(end(plain), first);
   EXPECT_EQ(end(other), second);
   EXPECT_EQ(end(plain), first);
+  EXPECT_EQ(noted.started(), 3);
 }
 
 TEST(Sessions, SayWhyThereIsNoWorkerAndRefuseRepetitions) {
   EngineChoice none = engine("ode");
   none.row.command = {"/no/such/worker"};
-  Session session(none, {});
+  Session session(none.row, {});
   const core::Scene scene = thrown(1);
-  EXPECT_EQ(in(session, scene).status, results::Status::unsupported);
+  EXPECT_EQ(in(session, none, scene).status, results::Status::unsupported);
   RunRequest request{.scene = &scene, .setup = {.dt = 0.002}, .steps = 1};
   request.repetitions = 1;
-  EXPECT_THROW(session.run(request), std::invalid_argument);
-  Session impossible(engine("ode/integrator=none-such"), {});
-  EXPECT_THROW(in(impossible, scene), core::InputError);
+  EXPECT_THROW(session.run(none, request), std::invalid_argument);
 }
 
 }  // namespace
