@@ -105,12 +105,13 @@ endif()
 # ctest starts the tests of the greatest COST first, so that no long one runs alone at the end.
 set(long_test 100)
 
-# test_suite(name FOLDER folder USES libraries… SHARES files… AS_ONE fixtures…): one executable for every *_test.cc under a
-# folder (a suite inside another's folder is declared before it), and for files of another suite that hold of these
-# libraries too.  Each test is a process of its own; those of an AS_ONE fixture share one, for they judge one long run, or
-# share what takes longer than they do: engines that start, scenes with their truths.
+# test_suite(name FOLDER folder USES libraries… SHARES files… AS_ONE fixtures… OF_EACH parameters…): one executable for every
+# *_test.cc under a folder (a suite inside another's folder is declared before it), and for files of another suite that hold
+# of these libraries too.  Each test is a process of its own; those of an AS_ONE fixture share one, for they judge one long
+# run, or share what takes longer than they do: engines that start, scenes with their truths.  So do those of all fixtures
+# with a parameter of such a name, OF_EACH.
 function(test_suite name)
-  cmake_parse_arguments(ARG "" "FOLDER" "USES;SHARES;AS_ONE" ${ARGN})
+  cmake_parse_arguments(ARG "" "FOLDER" "USES;SHARES;AS_ONE;OF_EACH" ${ARGN})
   own_sources(sources ${ARG_FOLDER} *_test.cc)
   in_batches(batches ${name} OWN_NAMES ${sources} ${ARG_SHARES})
   add_executable(${name}_tests ${batches})
@@ -124,6 +125,11 @@ function(test_suite name)
     string(APPEND alone ":${fixture}.*")
     add_test(NAME ${name}/${fixture} COMMAND ${name}_tests --gtest_brief=1 --gtest_filter=${fixture}.*)
     set_tests_properties(${name}/${fixture} PROPERTIES LABELS ${name} COST ${long_test} TIMEOUT 3600)
+  endforeach()
+  foreach(parameter ${ARG_OF_EACH})
+    string(APPEND alone ":*/${parameter}")
+    add_test(NAME ${name}/${parameter} COMMAND ${name}_tests --gtest_brief=1 --gtest_filter=*/${parameter})
+    set_tests_properties(${name}/${parameter} PROPERTIES LABELS ${name} FAIL_REGULAR_EXPRESSION "] 0 tests from")
   endforeach()
   # Without the values of parameters, which may be addresses: ctest knows again what a test of the same name took.
   gtest_discover_tests(${name}_tests TEST_FILTER "*-${alone}" TEST_PREFIX "${name}/" DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES

@@ -196,24 +196,26 @@ void expect_same_verdicts(const Scenario& scenario, const ShippedRun& run, const
 }
 
 TEST_P(Descriptions, LeaveEveryVerdict) {
-  const Scenario scenario = scenario::load(GetParam());
+  ShippedFile& file = ShippedFile::of(GetParam());
+  const Scenario& scenario = file.scenario();
   for (const Subject& subject : decorated_mutants()) {
     if (subject.name != "one step late" && subject.name != "frozen") continue;
-    const auto run = run_shipped(scenario, subject);
+    const auto& run = file.run(subject);
     for (const Description& d : descriptions(scenario))
       if (run && d.boost.isZero()) expect_same_verdicts(scenario, *run, d);
   }
-  const auto right = run_shipped(scenario, correct_subjects().front());
+  const auto& right = file.run(correct_subjects().front());
   for (const Description& d : descriptions(scenario))
     if (right) expect_same_verdicts(scenario, *right, d);
 }
 
 // A motion far from the origin was offered a coarser step: its errors were relative to the distance from there.
 TEST_P(Descriptions, LeaveTheErrorsThatTradeAndAdviseCompare) {
-  const Scenario scenario = scenario::load(GetParam());
+  ShippedFile& file = ShippedFile::of(GetParam());
+  const Scenario& scenario = file.scenario();
   for (const Subject& subject : decorated_mutants()) {
     if (subject.name != "one step late") continue;
-    const auto run = run_shipped(scenario, subject);
+    const auto& run = file.run(subject);
     if (!run) continue;
     const study::Yardstick plain(scenario, 1);
     const std::vector<double> errors = plain.errors(run->recording);
@@ -259,8 +261,9 @@ std::shared_ptr<const core::RequiredMotion> recorded(const core::Recording& run)
 class Tolerances : public testing::TestWithParam<std::filesystem::path> {};
 
 TEST_P(Tolerances, AreAtMostATenthOfTheirScale) {
-  const Scenario scenario = scenario::load(GetParam());
-  const auto run = run_shipped(scenario, correct_subjects().front());
+  ShippedFile& file = ShippedFile::of(GetParam());
+  const Scenario& scenario = file.scenario();
+  const auto& run = file.run(correct_subjects().front());
   for (Claim claim : scenario.claims) {
     if (claim.follows.empty() && !claim.motion && run) claim.motion = recorded(run->recording);
     const double allowed = core::allowed(claim, scenario.scene, scenario.duration, core::epsilon_of_float);
@@ -273,7 +276,7 @@ TEST_P(Tolerances, OfRoundingFollowThePrecision) {
       {"dzhanibekov", "linear_momentum conserved"},  // 0, and nothing is added
       {"free_symmetric_top", "linear_momentum conserved"},
       {"locked_post", "position conserved, post"}};
-  const Scenario scenario = scenario::load(GetParam());
+  const Scenario& scenario = ShippedFile::of(GetParam()).scenario();
   for (const Claim& claim : scenario.claims) {
     const core::Tolerance& t = claim.tolerance;
     if (t.order || t.level > 0 || core::validates(claim)) continue;

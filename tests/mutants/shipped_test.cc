@@ -55,11 +55,11 @@ std::string told(const ShippedRun& run) {
 
 // One that answers with the step before: of the in-house engine, or, where it refuses the scene, of the
 // truth.
-std::optional<ShippedRun> late(const scenario::Scenario& scenario) {
-  if (auto run = run_shipped(scenario, mutant("one step late"))) return run;
-  for (const core::Claim& claim : scenario.claims)
+std::optional<ShippedRun> late(ShippedFile& file) {
+  if (const auto& run = file.run(mutant("one step late"))) return run;
+  for (const core::Claim& claim : file.scenario().claims)
     if (claim.truth && claim.truth->times.empty())
-      return run_shipped(scenario, one_step_late(claim.truth->state));
+      return run_shipped(file.scenario(), one_step_late(claim.truth->state));
   return std::nullopt;
 }
 
@@ -73,8 +73,9 @@ std::string name_of(const testing::TestParamInfo<std::filesystem::path>& info) {
 class Shipped : public testing::TestWithParam<std::filesystem::path> {};
 
 TEST_P(Shipped, AccusesWhoeverDoesNothing) {
-  const scenario::Scenario scenario = scenario::load(GetParam());
-  const auto right = run_shipped(scenario, correct_subjects().front());
+  ShippedFile& file = ShippedFile::of(GetParam());
+  const scenario::Scenario& scenario = file.scenario();
+  const auto& right = file.run(correct_subjects().front());
   const bool moving = dynamic(scenario, right);
   EXPECT_EQ(!moving && !is_undecided(scenario.name), listed().at_rest.contains(scenario.name))
       << "tests/mutants/static_scenes.txt is not current: mutants --static writes it";
@@ -110,7 +111,7 @@ TEST_P(Shipped, AccusesWhoeverDoesNothing) {
     EXPECT_TRUE(falling->accused()) << "an engine of free fall alone passes" << told(*falling);
   }
 
-  if (const auto delayed = late(scenario)) {
+  if (const auto delayed = late(file)) {
     EXPECT_TRUE(delayed->accused()) << "an engine that is a step late passes" << told(*delayed);
   }
 }

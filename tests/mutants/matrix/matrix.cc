@@ -13,6 +13,7 @@ namespace {
 MatrixCell cell_of(const std::vector<Finding>& findings) {
   MatrixCell cell;
   cell.run = true;
+  cell.asked = findings.size();
   for (const Finding& finding : findings) {
     cell.guilty = cell.guilty || finding.guilty();
     cell.own = cell.own || (finding.guilty() && finding.of_file());

@@ -3,6 +3,7 @@
 
 #include "tests/mutants/matrix/judge.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@ namespace cylon::mutants {
 
 struct MatrixCell {
   bool run = false;
+  std::size_t asked = 0;  ///< Claims.
   bool guilty = false;
   bool own = false;    ///< Of a scene's claim as it stands in its file.
   bool claim = false;  ///< Of that, or of one by theory.

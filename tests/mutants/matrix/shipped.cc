@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 
 namespace cylon::mutants {
@@ -88,6 +89,20 @@ std::optional<ShippedRun> run_shipped(const scenario::Scenario& scenario, const 
   }
   result.recording = std::move(recordings.front());
   return result;
+}
+
+ShippedFile::ShippedFile(const std::filesystem::path& path) : path_(path), scenario_(scenario::load(path)) {}
+
+ShippedFile& ShippedFile::of(const std::filesystem::path& path) {
+  static std::unique_ptr<ShippedFile> last;
+  if (!last || last->path_ != path) last.reset(new ShippedFile(path));
+  return *last;
+}
+
+const std::optional<ShippedRun>& ShippedFile::run(const Subject& subject) {
+  const auto known = runs_.find(subject.name);
+  if (known != runs_.end()) return known->second;
+  return runs_.emplace(subject.name, run_shipped(scenario_, subject)).first->second;
 }
 
 bool moves(const core::Scene& scene, const std::vector<core::State>& states) {

@@ -8,6 +8,7 @@
 #include "tests/mutants/matrix/subject.h"
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,23 @@ results::Status status_of(const core::Measured&);
 
 /// Nothing where the simulator cannot express the scene.
 std::optional<ShippedRun> run_shipped(const scenario::Scenario&, const Subject&);
+
+/// A scenario file and what simulators make of it, for tests that share that in one process.
+class ShippedFile {
+ public:
+  /// The one that was asked for last is kept.
+  static ShippedFile& of(const std::filesystem::path&);
+
+  const scenario::Scenario& scenario() const { return scenario_; }
+  /// As run_shipped(), once for each name of a subject.
+  const std::optional<ShippedRun>& run(const Subject&);
+
+ private:
+  explicit ShippedFile(const std::filesystem::path&);
+  std::filesystem::path path_;
+  scenario::Scenario scenario_;
+  std::map<std::string, std::optional<ShippedRun>> runs_;
+};
 
 /// Whether some body is ever farther from its start than a tenth of its size, or turned from it by more than
 /// 0.1 rad.
