@@ -4,6 +4,7 @@
 #include "engine/joint.h"
 #include "engine/world.h"
 #include "tests/engine/contact/contact_fixtures.h"
+#include "tests/engine/fixtures.h"
 
 namespace cylon::engine {
 namespace {
