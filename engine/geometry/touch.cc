@@ -22,7 +22,6 @@ void place_on_edges(const Couple& couple, int edge_a, int edge_b, Touch& result)
   const SegmentPoints where = nearest_on_segments(middle_a, u, a, middle_b, w, b);
   result.a = middle_a + where.s * u;
   result.b = middle_b + where.t * w;
-  result.feature = point_name::between({e[0], e[1]}, {f[0], f[1]});
 }
 
 // The nearest of all pairs of edges, ends included, where it is nearer than `known`.  Slow and without a way
@@ -41,8 +40,7 @@ void ask_all_edges(const Couple& couple, Touch& known) {
 }
 
 Touch from_axis(const Couple& couple, const Axis& axis) {
-  Touch result{axis.gap, axis.normal, Vector3::Zero(), Vector3::Zero(),
-               point_name::named(point_name::axis, {axis.a, axis.b})};
+  Touch result{axis.gap, axis.normal, Vector3::Zero(), Vector3::Zero(), axis.kind, axis.a, axis.b};
   if (axis.kind == Axis::Kind::face_a) {
     result.b = axis.deepest, result.reached = axis.reached;
     result.a = result.b + axis.gap * axis.normal;
@@ -77,18 +75,17 @@ Touch touch(const Couple& couple, Real far, const Touch* before) {
   if (before != nullptr ? before->gap < 0 : may_overlap(couple))
     if (const std::optional<Axis> axis = axis_of_overlap(couple)) return from_axis(couple, *axis);
   const Nearest apart = nearest(couple, far, before != nullptr ? -before->normal : couple.shift);
-  const Touch between{apart.distance, apart.normal, apart.a, apart.b, apart.feature};
-  if (apart.is_far) return between;
+  if (apart.is_far) return {apart.distance, apart.normal, apart.a, apart.b};
   const bool close = !(apart.distance > near * couple.size);
   if (close || couple.between(apart.normal) < apart.distance - 8 * rounding) {
     const Axis axis = widest_axis(couple, apart.distance + 16 * rounding);
     const Touch found = from_axis(couple, axis);
     if (found.reached || apart.distance == 0 || axis.gap >= apart.distance - 16 * rounding) return found;
-    Touch least = between;
+    Touch least{apart.distance, apart.normal, apart.a, apart.b};
     ask_all_edges(couple, least);
     return least;
   }
-  return between;
+  return {apart.distance, apart.normal, apart.a, apart.b};
 }
 
 }  // namespace cylon::engine

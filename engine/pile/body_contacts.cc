@@ -216,11 +216,6 @@ void BodyContacts::touch(const std::vector<Motion>& motions, int a, int b, int p
                       b == fixed_world ? model_.plane_surfaces[index(plane)] : model_.surfaces[index(b)]);
   const Quaternion back = motions[index(a)].orientation.conjugate();
   const std::size_t first = blocks.size();
-  const Real radius = b == fixed_world ? radius_[index(a)] : std::min(radius_[index(a)], radius_[index(b)]);
-  const auto apart = [&](const Block& x, const Block& y) {
-    const Real on_a = (x.anchor - y.anchor).norm();
-    return b == fixed_world ? on_a : std::min(on_a, (x.to_anchor - y.to_anchor).norm());
-  };
   std::vector<const Block*>& matched = matched_;
   matched.clear();
   for (const PartManifold& found : points_) {
@@ -240,19 +235,20 @@ void BodyContacts::touch(const std::vector<Motion>& motions, int a, int b, int p
         block.to_arm = contact.position - motions[index(b)].position;
         block.to_anchor = motions[index(b)].orientation.conjugate() * block.to_arm;
       }
-      // The same feature, or else the nearest point, on either body: corners that coincide take turns in naming a place.
+      // The same feature, or else the nearest point: corners that coincide take turns in naming a place.
       const Block* same = nullptr;
-      Real nearest = radius / 16;
+      Real nearest = radius_[index(a)] / 16;
       for (std::size_t m = next; m < old.size() && same_pair(old[m]); ++m) {
         if (old[m].kind != Block::Kind::contact) break;
-        const Real distance = old[m].feature == block.feature ? Real(-1) : apart(old[m], block);
+        const Real distance =
+            old[m].feature == block.feature ? Real(-1) : (old[m].anchor - block.anchor).norm();
         if (distance < nearest) same = &old[m], nearest = distance;
       }
       if (same) {
         const Real along = block.normal.dot(same->impulse);
         block.impulse = same->impulse + (std::max(along, Real(0)) - along) * block.normal;
         block.past = same->past;
-        block.past.known &= nearest <= one_place * radius;
+        block.past.known &= nearest <= one_place * radius_[index(a)];
       }
       matched.push_back(same);
       blocks.push_back(block);
