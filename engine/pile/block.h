@@ -53,8 +53,7 @@ struct Block {
   Vector3 impulse = Vector3::Zero();
   Vector3 before = Vector3::Zero();  ///< u before the forces of the step, of a direct solution.
   Vector3 bias = Vector3::Zero();    ///< A direct solution meets the laws with u + bias.
-  Vector3 blow = Vector3::
-      Zero();       ///< Of J what impacts gave that went one after another, before the solution of the part.
+  Vector3 blow = Vector3::Zero();    ///< Of J what impacts gave that went one after another (InTurn).
   Real struck = 0;  ///< How fast the fastest of these was approached; 0: there was none [m/s].
   Past past;
 

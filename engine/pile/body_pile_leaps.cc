@@ -179,7 +179,7 @@ void BodyPile::set_bias(Real lag, Real h) {
   };
   forget_parts_of_pairs();
   for (Block& block : blocks_) {
-    if (block.is_along_normal() || block.impact) continue;
+    if (block.is_along_normal() || is_impact(block)) continue;
     const bool touches = block.kind == Block::Kind::contact;
     const Vector3 bent = bend(block);
     const Real most = (speed(block.a, block.arm) + speed(block.b, block.to_arm)) / 4;

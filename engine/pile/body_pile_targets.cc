@@ -42,7 +42,7 @@ void BodyPile::strike_in_turn(Time now, Real h, bool leaps) {
   for (const Group& group : divided_ ? groups_ : all) {
     const InTurn::Outcome outcome = in_turn_.strike(group, part, blocks_, model_.bodies, movers_, motions_);
     if (outcome.ordered) log_.note(DiagnosticKind::impacts_ordered, now);
-    if (!outcome.ended) log_.note(DiagnosticKind::impacts_unending, now, InTurn::most_rounds);
+    if (!outcome.ended) log_.note(DiagnosticKind::impacts_unending, now, most_impact_rounds);
     if (outcome.solved) continue;
     log_.note(DiagnosticKind::contacts_unsolved, now, {}, in_turn_.residual());
     residual_ = std::max(residual_, in_turn_.residual());

@@ -132,7 +132,7 @@ InTurn::Outcome InTurn::strike(const Group& group, const Part& part, std::vector
   };
   int strikes = 0;
   outcome.ended = false;
-  for (int round = 0; round < most_rounds && !outcome.ended; ++round) {
+  for (int round = 0; round < most_impact_rounds && !outcome.ended; ++round) {
     outcome.ended = true;
     for (const Pair& pair : pairs_) {
       if (!struck(pair)) continue;

@@ -1,6 +1,7 @@
 // Impacts of a part of a step one after another, where a group of bodies is solved to rounding.
 #pragma once
 
+#include "engine/contact/impact.h"
 #include "engine/pile/bounce.h"
 #include "engine/pile/groups.h"
 
@@ -20,14 +21,13 @@ class InTurn {
   };
   struct Outcome {
     bool ordered = false;  ///< Another order might have done something else.
-    bool ended = true;     ///< Nothing approached before `most_rounds` were over.
+    bool ended = true;     ///< Nothing approached before most_impact_rounds were over.
     bool solved = true;    ///< As Direct::solve().
   };
-  static constexpr int most_rounds = 200;
 
   /// In: blocks whose targets are set.  Out, of those of the group: the impulses of all impacts, how fast each was approached, and
-  /// targets that keep what the impacts leave while forces act; what still approaches after `most_rounds` is left to the solution
-  /// of the part, without restitution.  A single impact is left to it whole.  Motions are not changed.
+  /// targets that keep what the impacts leave while forces act; what still approaches after most_impact_rounds is left to the
+  /// solution of the part, without restitution.  A single impact is left to it whole.  Motions are not changed.
   Outcome strike(const Group&, const Part&, std::vector<Block>&, const std::vector<Body>&,
                  const std::vector<Mover>&, const std::vector<Motion>&);
 

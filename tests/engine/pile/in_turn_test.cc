@@ -79,6 +79,30 @@ Model on_a_stop(Real armature) {
   return model;
 }
 
+// Nothing holds them: two on a ball joint, struck at one end, a third at the other.
+Model free_on_a_joint() {
+  Model model = pile_model(Real(0.6), Real(0.3), false);
+  model.forces.gravity.setZero();
+  add_box(model, 1, half, {0, 0, 0});
+  add_box(model, Real(1.5), half, {Real(0.5), Real(0.02), Real(0.01)});
+  add_box(model, 2, half, {Real(0.9), Real(0.05), Real(-0.02)});
+  add_box(model, Real(0.7), Real(0.5) * half, {Real(-0.45), Real(0.05), Real(0.02)}, {2, Real(0.1), 0});
+  model.joints.push_back({.type = joint_types::ball,
+                          .body = 0,
+                          .anchor = {Real(0.25), Real(0.01), 0},
+                          .to = 1,
+                          .to_anchor = {Real(-0.25), Real(-0.01), Real(-0.01)}});
+  model.apart = {{0, 1}};
+  return model;
+}
+
+Model onto_one_that_burns() {
+  Model model = flat_on_one_that_rests(Real(0.4));
+  model.bodies[0].mass_rate = -4;
+  model.forces.drags.push_back({1, Real(1.5), 0, 0});
+  return model;
+}
+
 const std::vector<Scene> scenes = {
     {"flat on one that rests", false, 0.12, [] { return flat_on_one_that_rests(0); }},
     {"flat on one that rests, rough", false, 0.12, [] { return flat_on_one_that_rests(Real(0.4)); }},
@@ -89,6 +113,8 @@ const std::vector<Scene> scenes = {
     {"a rough corner", true, 0.5, [] { return into_corner(Real(0.3)); }},
     {"on a stop", false, 0.2, [] { return on_a_stop(0); }},
     {"on a stop, with a rotor", false, 0.2, [] { return on_a_stop(Real(0.5)); }},
+    {"free, on a joint", false, 0.23, free_on_a_joint},
+    {"onto one that burns, with drag", false, 0.12, onto_one_that_burns},
     {"two on one that rests", true, 0.13, two_on_one_that_rests},
 };
 
