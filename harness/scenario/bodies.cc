@@ -135,15 +135,16 @@ core::Body read_template(const Table& table, Draft& draft, double copies) {
 
 bool is_point(const Table& table) { return !table.has("shape") && !table.has("inertia"); }
 
-void add_group(const Table& table, std::vector<core::Body> bodies, Draft& draft) {
+// Opens the group of a generator of `count` bodies, into which what is returned takes them.
+TakeBody open_group(const Table& table, double count, Draft& draft) {
   const std::string name = table.text("name");
   auto [group, is_new] = draft.groups.try_emplace(name);
   if (!is_new) table.fail("name", fmt::format("name '{}' is taken by another generator", name));
-  draft.expect(bodies.size());
-  for (core::Body& body : bodies) {
-    group->second.push_back(static_cast<int>(draft.scene.bodies.size()));
-    draft.add(std::move(body), table, is_point(table));
-  }
+  draft.expect(static_cast<std::size_t>(count));
+  return [&table, &draft, &members = group->second, is_point = is_point(table)](core::Body&& body) {
+    members.push_back(static_cast<int>(draft.scene.bodies.size()));
+    draft.add(std::move(body), table, is_point);
+  };
 }
 
 void refuse_too_many(const Table& table, const Draft& draft, double more) {
@@ -160,14 +161,15 @@ void read_bodies(const Table& root, Draft& draft) {
     double count = 1;
     for (const double n : table.numbers("count")) count *= n;
     refuse_too_many(table, draft, count);
-    add_group(table, lattice(table, read_template(table, draft, count)), draft);
+    const core::Body pattern = read_template(table, draft, count);
+    lattice(table, pattern, open_group(table, count, draft));
   }
   const std::vector<Table> clouds = root.tables("cloud");
   for (std::size_t i = 0; i < clouds.size(); ++i) {
     const auto count = static_cast<double>(clouds[i].whole("count"));
     refuse_too_many(clouds[i], draft, count);
     const core::Body pattern = read_template(clouds[i], draft, count);
-    add_group(clouds[i], cloud(clouds[i], pattern, draft, std::span(clouds).first(i)), draft);
+    cloud(clouds[i], pattern, draft, std::span(clouds).first(i), open_group(clouds[i], count, draft));
   }
   if (draft.scene.bodies.empty()) root.fail("the scene has no body; add a [[body]]");
 }

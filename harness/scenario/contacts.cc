@@ -151,6 +151,7 @@ void read_materials(const Table& root, Draft& draft) {
 void refuse_overlaps(Draft& draft) {
   refuse_overlapping_spheres(draft);
   const core::Scene& scene = draft.scene;
+  if (scene.planes.empty()) return;
   const double looks =
       static_cast<double>(scene.bodies.size() + draft.points) * static_cast<double>(scene.planes.size());
   if (looks > static_cast<double>(budget::gaps))

@@ -19,7 +19,7 @@ void Draft::expect(std::size_t more) {
   scene.bodies.reserve(room), origin.reserve(room), index_.reserve(room);
 }
 
-void Draft::add(core::Body body, const Table& table, bool is_point) {
+void Draft::add(core::Body&& body, const Table& table, bool is_point) {
   const auto [place, is_new] = index_.emplace(body.name, static_cast<int>(scene.bodies.size()));
   if (!is_new) table.fail("name", fmt::format("name '{}' is taken by another body", body.name));
   const core::BodyState& start = body.initial;

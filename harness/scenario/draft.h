@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <set>
 #include <span>
@@ -31,7 +32,7 @@ struct Draft {
   std::size_t neighbours = 0;  ///< Looked at for overlaps so far.
 
   /// Adds a body; fails at its `name` where that is taken, and where a number of it is not finite.
-  void add(core::Body, const Table&, bool is_point);
+  void add(core::Body&&, const Table&, bool is_point);
   /// Makes room for so many bodies more.
   void expect(std::size_t more);
 
@@ -74,11 +75,12 @@ core::Quaternion read_orientation(const Table&, std::string_view key);
 /// Divides by the norm unless that is 1 to rounding: what was made a unit vector once stays as it is.
 void make_unit(core::Vector3&);
 
-/// Bodies of a [[lattice]] and of a [[cloud]]: copies of the template at their places.  `earlier`: the clouds
-/// before this one in the file.
-std::vector<core::Body> lattice(const Table&, const core::Body& pattern);
-std::vector<core::Body> cloud(const Table&, const core::Body& pattern, Draft& others,
-                              std::span<const Table> earlier);
+/// Bodies of a [[lattice]] and of a [[cloud]], one after another: copies of the template at their places.  `earlier`: the
+/// clouds before this one in the file.
+using TakeBody = std::function<void(core::Body&&)>;
+void lattice(const Table&, const core::Body& pattern, const TakeBody&);
+void cloud(const Table&, const core::Body& pattern, Draft& others, std::span<const Table> earlier,
+           const TakeBody&);
 
 /// "[x, y, z]" with all digits that matter.
 std::string written(const core::Vector3&);

@@ -79,13 +79,14 @@ void check_any(const Table& t, const Draft& draft, const core::State& start, con
 
 void read_forces(const Table& root, Draft& draft) {
   auto& forces = draft.scene.forces;
-  const core::State start = core::initial_state(draft.scene);
+  core::State start;
   core::for_each_force([&]<class Kind>() {
     constexpr std::string_view name = core::Element<Kind>::name;
     if constexpr (std::is_same_v<Kind, core::UniformGravity>) {
       if (root.has(name)) forces.emplace_back(read_element<Kind>(root, draft));
     } else {
       for (const Table& t : root.tables(name)) {
+        if (start.empty()) start = core::initial_state(draft.scene);
         auto force = read_element<Kind>(t, draft);
         check_any(t, draft, start, force);
         if constexpr (requires { check(t, draft, force); }) check(t, draft, force);

@@ -106,24 +106,22 @@ std::string indexed(const std::string& name, std::size_t i) { return fmt::format
 
 }  // namespace
 
-std::vector<core::Body> lattice(const Table& table, const core::Body& pattern) {
+void lattice(const Table& table, const core::Body& pattern, const TakeBody& take) {
   const std::vector<double> count = table.numbers("count");
   const Vector3 spacing = table.vector("spacing");
-  std::vector<core::Body> bodies;
-  bodies.reserve(static_cast<std::size_t>(count[0] * count[1] * count[2]));
+  std::size_t made = 0;
   for (int z = 0; z < static_cast<int>(count[2]); ++z)
     for (int y = 0; y < static_cast<int>(count[1]); ++y)
       for (int x = 0; x < static_cast<int>(count[0]); ++x) {
         core::Body body = pattern;
-        body.name = indexed(pattern.name, bodies.size());
+        body.name = indexed(pattern.name, made++);
         body.initial.position += Vector3(x * spacing.x(), y * spacing.y(), z * spacing.z());
-        bodies.push_back(std::move(body));
+        take(std::move(body));
       }
-  return bodies;
 }
 
-std::vector<core::Body> cloud(const Table& table, const core::Body& pattern, Draft& others,
-                              std::span<const Table> earlier) {
+void cloud(const Table& table, const core::Body& pattern, Draft& others, std::span<const Table> earlier,
+           const TakeBody& take) {
   if (table.has("position")) table.fail("position", "position: a cloud lies between 'low' and 'high'");
   const Vector3 low = table.vector("low"), high = table.vector("high");
   if (!(low.array() <= high.array()).all())
@@ -136,9 +134,7 @@ std::vector<core::Body> cloud(const Table& table, const core::Body& pattern, Dra
   if (pattern.locked && speed > 0) table.fail("speed", "speed: a locked body does not move");
   Random random(seed_of(table, earlier.size()));
   Places places(others.scene, radius, others.neighbours);
-  std::vector<core::Body> bodies;
-  bodies.reserve(count);
-  while (bodies.size() < count) {
+  for (std::size_t made = 0; made < count; ++made) {
     constexpr int most_tries = 10'000;
     int tries = 0;
     Vector3 place = random.in_box(low, high);
@@ -147,22 +143,21 @@ std::vector<core::Body> cloud(const Table& table, const core::Body& pattern, Dra
         table.fail("count",
                    fmt::format("count = {}: after {} the search for free places takes too long; take "
                                "fewer or a larger box",
-                               count, bodies.size()));
+                               count, made));
       if (++tries == most_tries)
         table.fail(
             "count",
             fmt::format("count = {}: only {} of radius {} m found a place that overlaps nothing; take fewer "
                         "or a larger box{}",
-                        count, bodies.size(), radius, same_draws(table, earlier)));
+                        count, made, radius, same_draws(table, earlier)));
     }
     places.add(place);
     core::Body body = pattern;
-    body.name = indexed(pattern.name, bodies.size());
+    body.name = indexed(pattern.name, made);
     body.initial.position = place;
     if (speed > 0) body.initial.velocity += speed * random.direction();
-    bodies.push_back(std::move(body));
+    take(std::move(body));
   }
-  return bodies;
 }
 
 }  // namespace cylon::scenario

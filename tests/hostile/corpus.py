@@ -3,7 +3,7 @@
 
 Of each: exit code 0 or 2, a place in the file where it is refused, an error of at most 4000 bytes, at most 1 GB
 resident, and an end within 5 s of CPU time.  A slow machine may take longer: up to four times what it takes for a million
-bodies in a lattice, which are read in one pass, within 5 s.  The last line is JSON: tried, failed, the most CPU seconds and MB."""
+bodies in a lattice, which are read in one pass.  The last line is JSON: tried, failed, the most CPU seconds and MB."""
 import json
 import math
 import os
@@ -162,7 +162,7 @@ FILES["verdicts.json"] = b'{"schema":1,"verdicts":[]}'
 PLACE = re.compile(r"^error: [^\n]*?:\d+:\d+: ")
 FILE = re.compile(r"^error: DOCUMENT:")
 MOST_SECONDS, MOST_MB, MOST_BYTES = 5, 1000, 4000
-YARDSTICK, MOST_YARDSTICKS, YARDSTICK_SECONDS = "lattice_1e6", 4, 5  # the slowest, certified_nbody, takes 3.0 of them
+YARDSTICK, MOST_YARDSTICKS, YARDSTICK_SECONDS = "lattice_1e6", 4, 100  # the slowest, cloud_full, takes 2.1 of them
 
 
 def prepare(folder):
