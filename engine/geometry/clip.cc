@@ -50,13 +50,10 @@ int face_towards(const View& view, const Vector3& direction) {
   return best;
 }
 
-// feature = (vertex or edge of the incident ring) << 16 | (side that cut it) + 1; edges that lie on a side
-// that cut before are 0x8000 + that side.
-constexpr std::uint32_t feature(std::uint32_t edge, std::uint32_t cut) { return edge << 16U | cut; }
-
 struct Running {  // a corner with the edge that starts at it
   Vector3 x;
-  std::uint32_t edge, feature;
+  int edge;  // its first vertex, or -1 - the side on which it lies
+  PointName feature;
 };
 
 }  // namespace
@@ -69,10 +66,20 @@ void clip(const Couple& couple, bool on_a, int face, Patch& patch) {
 
   std::array<Running, 256> buffers[2];
   int count = 0, now = 0;
-  const Ring ring(incident, face_towards(incident, n_incident));
+  const int below = face_towards(incident, n_incident);
+  const Ring ring(incident, below);
+  // A side cuts an edge, which its face numbers, or meets a side that cut before: a corner of the reference.
+  const std::array<point_name::Kind, 3> of_incident =
+      on_a ? std::array{point_name::b_vertex, point_name::b_side_and_edge, point_name::a_corner}
+           : std::array{point_name::a_vertex, point_name::a_side_and_edge, point_name::b_corner};
+  const auto name = [&](int edge, int side) {
+    return edge < 0 ? point_name::named(of_incident[2], {face, -1 - edge, side})
+                    : point_name::named(of_incident[1], {face, below, edge, side});
+  };
   for (int k = 0; k < ring.count(); ++k) {
-    const auto id = static_cast<std::uint32_t>(ring.vertex(k)) & 0x7fffU;
-    buffers[0][static_cast<std::size_t>(count++)] = {incident.vertex(ring.vertex(k)), id, feature(id, 0)};
+    const int id = ring.vertex(k);
+    buffers[0][static_cast<std::size_t>(count++)] = {incident.vertex(id), id,
+                                                     point_name::named(of_incident[0], {id})};
   }
   const bool closed = count > 2;
 
@@ -84,7 +91,6 @@ void clip(const Couple& couple, bool on_a, int face, Patch& patch) {
     const Vector3 to = reference.vertex(sides.vertex((side + 1) % sides.count()));
     const Vector3 inward = n.cross(to - from);
     const Real tolerance = 16 * eps * couple.size * inward.norm();
-    const auto cut = static_cast<std::uint32_t>(side + 1);
     const auto& in = buffers[now];
     auto& out = buffers[1 - now];
     int kept = 0;
@@ -100,7 +106,7 @@ void clip(const Couple& couple, bool on_a, int face, Patch& patch) {
       const bool crosses = inside != next_inside && (inside ? h : h_next) > tolerance;
       if (crosses && (closed || next != 0)) {
         const Vector3 x = p.x + (q.x - p.x) * (h / (h - h_next));
-        out[static_cast<std::size_t>(kept++)] = {x, inside ? 0x8000U + cut : p.edge, feature(p.edge, cut)};
+        out[static_cast<std::size_t>(kept++)] = {x, inside ? -1 - side : p.edge, name(p.edge, side)};
       }
       h = h_next;
     }

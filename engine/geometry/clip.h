@@ -2,16 +2,16 @@
 #pragma once
 
 #include "engine/geometry/core.h"
+#include "engine/geometry/point_name.h"
 
 #include <array>
-#include <cstdint>
 
 namespace cylon::engine {
 
 struct Corner {
-  Vector3 x;              ///< On the incident core, in a's axes [m].
-  Real gap;               ///< Over the face's plane [m].
-  std::uint32_t feature;  ///< Of the incident core, with the side that cut it; stable.
+  Vector3 x;          ///< On the incident core, in a's axes [m].
+  Real gap;           ///< Over the face's plane [m].
+  PointName feature;  ///< A vertex of the incident core, or what crosses there of both.
 };
 
 struct Patch {

@@ -45,6 +45,8 @@ struct Reference {
   Vector3 normal;  // from b to a
 };
 
+// One of the two is preferred by a little, so that rounding does not change the reference from step to step: the larger,
+// whichever is named first.
 Reference reference_face(const Couple& couple, const Touch& t, Real margin) {
   Reference a, b;
   a.face = facing(couple.a, -t.normal);
@@ -52,8 +54,9 @@ Reference reference_face(const Couple& couple, const Touch& t, Real margin) {
   b.on_a = false;
   b.face = facing(couple.b, couple.turn.transpose() * t.normal);
   if (b.face >= 0) b.normal = couple.turn * couple.b.normals[b.face], b.gap = couple.between(b.normal);
-  // a is preferred by a little, so that rounding does not change the reference from step to step
-  return b.gap > a.gap + Real(0.05) * std::max(margin, Real(0)) + 64 * epsilon * couple.size ? b : a;
+  const Real little = Real(0.05) * std::max(margin, Real(0)) + 64 * epsilon * couple.size;
+  if (couple.b.size > couple.a.size) return a.gap > b.gap + little ? a : b;
+  return b.gap > a.gap + little ? b : a;
 }
 
 // Whether the incident shape has no face that looks at the reference, as a triangle that stands across it: then only its
@@ -72,11 +75,6 @@ Real deepest(const Manifold& manifold) {
   for (int k = 0; k < manifold.count; ++k)
     least = std::min(least, manifold.points[static_cast<std::size_t>(k)].gap);
   return least;
-}
-
-std::uint32_t single_feature(const Touch& t) {
-  const auto number = [](int i) { return static_cast<std::uint32_t>(i + 1) & 0x7fffU; };
-  return 0x80000000U | number(t.feature_a) << 16U | number(t.feature_b);
 }
 
 using Corners = std::array<ContactPoint, std::tuple_size_v<decltype(Patch::corners)>>;
@@ -132,7 +130,6 @@ Manifold polytopes(const Shape& body, const Pose& pose, const Shape& other, cons
     clip(couple, face.on_a, face.face, patch);
     const Vector3 up = face.on_a ? Vector3(-face.normal) : face.normal;  // out of the reference
     const Real below = face.on_a ? couple.b.radius : couple.a.radius;    // of the incident, under its core
-    const std::uint32_t flip = face.on_a ? 0U : 0x80000000U;
     const Real most = stands_across(couple, face) ? std::min(margin, t.gap - radii + slack) : margin;
     Corners corners;
     int count = 0;
@@ -141,7 +138,7 @@ Manifold polytopes(const Shape& body, const Pose& pose, const Shape& other, cons
       const Real gap = corner.gap - radii;
       if (gap < most)
         corners[static_cast<std::size_t>(count++)] = {world(corner.x - up * (below + gap / 2)), gap,
-                                                      corner.feature ^ flip};
+                                                      corner.feature};
     }
     if (thinning.same > 0) count = without_twins(corners, count, thinning.same);
     const Vector3 normal = pose.rotation * face.normal;
@@ -153,7 +150,7 @@ Manifold polytopes(const Shape& body, const Pose& pose, const Shape& other, cons
     if (result.count > 0 && deepest(result) <= t.gap - radii + slack) return result;
   }
   const Vector3 a = t.a - couple.a.radius * t.normal, b = t.b + couple.b.radius * t.normal;
-  return one_point({t.gap - radii, pose.rotation * t.normal, world(a), world(b)}, margin, single_feature(t));
+  return one_point({t.gap - radii, pose.rotation * t.normal, world(a), world(b)}, margin, t.feature);
 }
 
 // Of two polytopes the directions are those of the smaller one, which mostly has the corners.
@@ -202,7 +199,7 @@ constexpr auto manifold_table = pair_table([]<class A, class B>() -> ManifoldOf 
 
 }  // namespace
 
-Manifold one_point(const Separation& s, Real margin, std::uint32_t feature) {
+Manifold one_point(const Separation& s, Real margin, PointName feature) {
   if (!(s.gap < margin)) return no_manifold();
   Manifold result;
   result.normal = s.normal;
@@ -230,7 +227,7 @@ void add_discs(const Frustum& s, const Pose& pose, const Plane& plane, Real marg
   const Real height = plane.normal.dot(pose.position) - plane.offset, half = std::sqrt(Real(0.5));
   const std::array<std::array<Real, 2>, 8> circle = {
       {{1, 0}, {half, half}, {0, 1}, {-half, half}, {-1, 0}, {-half, -half}, {0, -1}, {half, -half}}};
-  std::uint32_t feature = 0;
+  PointName feature = 0;
   for (const auto& [radius, y] : {std::pair(s.low_radius, s.low), std::pair(s.high_radius, s.high)})
     for (std::size_t k = 0; k < (radius > 0 ? circle.size() : 1); ++k, ++feature) {
       const Vector3 out = radius * (circle[k][0] * down + circle[k][1] * side);
@@ -262,7 +259,7 @@ void add_vertices(const Shape& body, const Pose& pose, const Plane& plane, Real 
 }
 
 // Of the parts numbered `part` and `other`; those of the first parts keep their numbers.
-std::uint32_t with_parts(std::uint32_t feature, int part, int other) {
+PointName with_parts(PointName feature, int part, int other) {
   return feature ^
          (static_cast<std::uint32_t>(part) * 0x9e3779b1U + static_cast<std::uint32_t>(other) * 0x85ebca77U);
 }
@@ -321,7 +318,7 @@ void manifolds(const Shape& body, const PartBoxes& boxes, const Pose& pose, cons
                    other_parts == nullptr ? other_pose : placed(other_pose, *part_of(other_parts, k)),
                    margin)};
       for (int p = 0; p < m.manifold.count; ++p) {
-        std::uint32_t& feature = m.manifold.points[static_cast<std::size_t>(p)].feature;
+        PointName& feature = m.manifold.points[static_cast<std::size_t>(p)].feature;
         feature = with_parts(feature, i, k);
       }
       if (m.manifold.count > 0) found.push_back(m);

@@ -2,18 +2,18 @@
 #pragma once
 
 #include "engine/geometry/part_boxes.h"
+#include "engine/geometry/point_name.h"
 #include "engine/geometry/separation.h"
 
 #include <array>
-#include <cstdint>
 #include <vector>
 
 namespace cylon::engine {
 
 struct ContactPoint {
-  Vector3 position;           ///< Midway between the surfaces, world axes [m].
-  Real gap = 0;               ///< Along the manifold's normal [m].
-  std::uint32_t feature = 0;  ///< The same place keeps its number from step to step: for warm starts.
+  Vector3 position;       ///< Midway between the surfaces, world axes [m].
+  Real gap = 0;           ///< Along the manifold's normal [m].
+  PointName feature = 0;  ///< The same place keeps its name from step to step.
 };
 
 /// How a shape moves in the step to come.  Its turn about an axis of revolution moves no point of its surface out of
@@ -62,6 +62,6 @@ void manifolds(const Shape& body, const PartBoxes&, const Pose&, const Shape& ot
 void join_faces(std::vector<PartManifold>&, const Pose& frame);
 
 /// The point of a separation, where its gap < margin.
-Manifold one_point(const Separation&, Real margin, std::uint32_t feature = 0);
+Manifold one_point(const Separation&, Real margin, PointName feature = 0);
 
 }  // namespace cylon::engine

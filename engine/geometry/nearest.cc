@@ -143,11 +143,15 @@ Nearest nearest(const Couple& couple, Real far, const Vector3& start) {
 
   Nearest result;
   result.a.setZero(), result.b.setZero();
+  std::array<int, 2> of_a{s.vertex[0].a, s.vertex[0].a}, of_b{s.vertex[0].b, s.vertex[0].b};
   for (int k = 0; k < s.count; ++k) {
     const Vertex& x = s.vertex[static_cast<std::size_t>(k)];
     result.a += x.weight * couple.vertex_a(x.a);
     result.b += x.weight * couple.vertex_b(x.b);
+    if (x.a != of_a[0]) of_a[1] = x.a;
+    if (x.b != of_b[0]) of_b[1] = x.b;
   }
+  result.feature = point_name::between(of_a, of_b);
   result.distance = s.v.norm();
   result.normal = s.v.normalized();
   result.is_far = is_far;

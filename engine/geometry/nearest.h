@@ -2,14 +2,16 @@
 #pragma once
 
 #include "engine/geometry/core.h"
+#include "engine/geometry/point_name.h"
 
 namespace cylon::engine {
 
 /// In a's axes.
 struct Nearest {
-  Vector3 a, b;       ///< The points [m].
-  Vector3 normal;     ///< Unit, from b to a; undefined where they overlap.
-  Real distance = 0;  ///< |a - b| [m]; 0 where they overlap or are within rounding of it.
+  Vector3 a, b;           ///< The points [m].
+  Vector3 normal;         ///< Unit, from b to a; undefined where they overlap.
+  Real distance = 0;      ///< |a - b| [m]; 0 where they overlap or are within rounding of it.
+  PointName feature = 0;  ///< Of the vertices that the points are between.
   bool is_far = false;
 };
 

@@ -22,6 +22,7 @@ void place_on_edges(const Couple& couple, int edge_a, int edge_b, Touch& result)
   const SegmentPoints where = nearest_on_segments(middle_a, u, a, middle_b, w, b);
   result.a = middle_a + where.s * u;
   result.b = middle_b + where.t * w;
+  result.feature = point_name::between({e[0], e[1]}, {f[0], f[1]});
 }
 
 // The nearest of all pairs of edges, ends included, where it is nearer than `known`.  Slow and without a way
@@ -40,7 +41,8 @@ void ask_all_edges(const Couple& couple, Touch& known) {
 }
 
 Touch from_axis(const Couple& couple, const Axis& axis) {
-  Touch result{axis.gap, axis.normal, Vector3::Zero(), Vector3::Zero(), axis.kind, axis.a, axis.b};
+  Touch result{axis.gap, axis.normal, Vector3::Zero(), Vector3::Zero(),
+               point_name::named(point_name::axis, {axis.a, axis.b})};
   if (axis.kind == Axis::Kind::face_a) {
     result.b = axis.deepest, result.reached = axis.reached;
     result.a = result.b + axis.gap * axis.normal;
@@ -75,17 +77,18 @@ Touch touch(const Couple& couple, Real far, const Touch* before) {
   if (before != nullptr ? before->gap < 0 : may_overlap(couple))
     if (const std::optional<Axis> axis = axis_of_overlap(couple)) return from_axis(couple, *axis);
   const Nearest apart = nearest(couple, far, before != nullptr ? -before->normal : couple.shift);
-  if (apart.is_far) return {apart.distance, apart.normal, apart.a, apart.b};
+  const Touch between{apart.distance, apart.normal, apart.a, apart.b, apart.feature};
+  if (apart.is_far) return between;
   const bool close = !(apart.distance > near * couple.size);
   if (close || couple.between(apart.normal) < apart.distance - 8 * rounding) {
     const Axis axis = widest_axis(couple, apart.distance + 16 * rounding);
     const Touch found = from_axis(couple, axis);
     if (found.reached || apart.distance == 0 || axis.gap >= apart.distance - 16 * rounding) return found;
-    Touch least{apart.distance, apart.normal, apart.a, apart.b};
+    Touch least = between;
     ask_all_edges(couple, least);
     return least;
   }
-  return {apart.distance, apart.normal, apart.a, apart.b};
+  return between;
 }
 
 }  // namespace cylon::engine

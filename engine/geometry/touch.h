@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/geometry/axis.h"
+#include "engine/geometry/point_name.h"
 
 #include <limits>
 
@@ -10,12 +11,11 @@ namespace cylon::engine {
 
 /// In a's axes; without the rounding radii.
 struct Touch {
-  Real gap = 0;                        ///< [m]
-  Vector3 normal;                      ///< Unit, from b to a.
-  Vector3 a, b;                        ///< a - b = gap normal, to rounding [m].
-  Axis::Kind kind = Axis::Kind::none;  ///< Of the axis that it follows from; none: from nearest().
-  int feature_a = -1, feature_b = -1;  ///< As in Axis.
-  bool reached = false;                ///< By an axis, and points of both are `gap` apart along it.
+  Real gap = 0;    ///< [m]
+  Vector3 normal;  ///< Unit, from b to a.
+  Vector3 a, b;    ///< a - b = gap normal, to rounding [m].
+  PointName feature = 0;
+  bool reached = false;  ///< By an axis, and points of both are `gap` apart along it.
 };
 
 /// If the two are farther apart than `far` [m], the gap may be any upper bound of theirs, with a normal to it.  `before`:

@@ -2,9 +2,9 @@
 // or dry friction in one, all solved alike.
 #pragma once
 
+#include "engine/geometry/point_name.h"
 #include "engine/model.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace cylon::engine::pile {
@@ -64,7 +64,7 @@ struct Block {
   int plane = -1;      ///< Index of the plane that b is.
   int law = -1;        ///< Of stop, rub and soft: index of the coordinate law.
   bool upper = false;  ///< Of a stop: which one.
-  std::uint32_t feature = 0;
+  PointName feature = 0;
   bool impact = false;  ///< Meets within this part of the step.
 
   Real mass = 0;       ///< Along the normal.

@@ -248,7 +248,7 @@ void BodyContacts::touch(const std::vector<Motion>& motions, int a, int b, int p
         const Real along = block.normal.dot(same->impulse);
         block.impulse = same->impulse + (std::max(along, Real(0)) - along) * block.normal;
         block.past = same->past;
-        block.past.known &= nearest <= one_place * radius_[index(a)];
+        block.past.known &= nearest < 0 || are_one_place(*same, block);
       }
       matched.push_back(same);
       blocks.push_back(block);
@@ -260,6 +260,14 @@ void BodyContacts::touch(const std::vector<Motion>& motions, int a, int b, int p
   if (points_.size() == 1 && points_[0].manifold.count > most_unique && count > 0 &&
       !is_one_to_one(matched, count))
     share_evenly(old.data() + next, old.data() + end, blocks.data() + first, blocks.data() + blocks.size());
+}
+
+// At one place of either body, whichever is named first.
+bool BodyContacts::are_one_place(const Block& old, const Block& now) const {
+  const Real on_a = (old.anchor - now.anchor).norm();
+  if (now.b == fixed_world) return on_a <= one_place * radius_[index(now.a)];
+  const Real on_b = (old.to_anchor - now.to_anchor).norm();
+  return std::min(on_a, on_b) <= one_place * std::min(radius_[index(now.a)], radius_[index(now.b)]);
 }
 
 // Fills points_ with where two bodies touch, or one and a plane.

@@ -43,6 +43,7 @@ class BodyContacts {
   bool holds(const Found& before, const Found& now, Real margin, bool any) const;
   void touch(const std::vector<Motion>&, int a, int b, int plane, Real margin, std::vector<Block>&);
   void keep(const std::vector<Motion>&, const Found&, std::size_t from, std::size_t to, std::vector<Block>&);
+  bool are_one_place(const Block& old, const Block& now) const;
   void find_points(const std::vector<Motion>&, int a, int b, int plane, Real margin);
   void leave_out_inside(const std::vector<Motion>&, int a, int b, PartManifold&) const;
   void add_joints(const std::vector<Motion>&, const std::vector<Block>& old, std::vector<Block>&) const;

@@ -19,6 +19,9 @@ constexpr int most_stiffenings = 8;
 // in no way that rounds come to; after some tries that is good enough.
 constexpr double solved = 1000;
 constexpr int tries = 2;
+// Impulses that are off by a violation times the stiffness leave the velocities off by up to that many times what it gives the
+// row that yields most.  A root farther away is another one: mirrored loads, for one, may be equal or not.
+constexpr double reach = 100;
 constexpr double stiffening = 8, most_stiff = 4096;
 // Of rows over the lightest mass: beyond that the digits of a light body are those of the rows.
 constexpr double stiffest = 1e8;
@@ -368,6 +371,18 @@ void Direct::take(bool extrapolated) {
   }
 }
 
+// The velocity there that an impulse of 1 gives, at most.
+double Direct::yielding(const Row& row) const {
+  double sum = 0;
+  const auto add = [&](int body, const M3& turn) {
+    if (body < 0) return;
+    const M6& inverse = inverses_[index(body / 6)];
+    sum += inverse(0, 0) + (turn * inverse.bottomRightCorner<3, 3>() * turn.transpose()).norm();
+  };
+  add(row.a, row.turn), add(row.b, row.to_turn);
+  return sum;
+}
+
 bool Direct::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, std::vector<Mover>& movers) {
   set_up(blocks, bodies, movers);
   const bool loops = holds_in_loops();
@@ -376,12 +391,13 @@ bool Direct::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, 
     row.limit = static_cast<double>(row.block->friction) * std::max(row.n.dot(row.lambda), 0.);
   double allowed = 0, best = std::numeric_limits<double>::infinity();
   int best_round = 0, stiffenings = 0;
-  double stiff = 1, lightest = std::numeric_limits<double>::infinity(), stiffness = 0;
+  double stiff = 1, lightest = std::numeric_limits<double>::infinity(), stiffness = 0, yields = 0;
   for (const int body : bodies_)
     if (const Mover& m = movers[index(body)]; m.inverse_mass > 0)
       lightest = std::min(lightest, 1 / static_cast<double>(m.inverse_mass));
   for (const Row& row : rows_)
-    if (!row.block->angular) stiffness = std::max(stiffness, row.stiffness);
+    if (!row.block->angular)
+      stiffness = std::max(stiffness, row.stiffness), yields = std::max(yields, yielding(row));
   const double stiff_limit = std::min(most_stiff, stiffest * lightest / stiffness);
   for (int round = 0;; ++round) {
     operations_ += static_cast<std::int64_t>(rows_.size());
@@ -431,7 +447,7 @@ bool Direct::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, 
     if (softer) stiff = 1;
     if (stiffer) stiff *= stiffening;
     for (Row& row : rows_) row.stiffness *= stiff;
-    if (round < plain_rounds || !couple()) minimise();
+    if (round < plain_rounds || !couple(reach * best * stiffness * yields)) minimise();
     take(round > plain_rounds + 1 && !stiffer && !softer);
     // The next violation is measured by the rows as they were: stiff ones hide that they press what parts.
     for (Row& row : rows_) row.stiffness /= stiff;

@@ -70,7 +70,9 @@ class Direct {
   double slope_along(const Vector& way);
   static M6 part(const Row&, const M3& turn, const M3& other);
   void factor();
-  bool couple();
+  bool couple(double reach);
+  double yielding(const Row&) const;
+  double farthest(const Vector&, const Vector&) const;
   bool factor_skewed();
   void solve_skewed(Vector&);
   void subtract_product(const Vector& x, Vector& to);

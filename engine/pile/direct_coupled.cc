@@ -64,10 +64,18 @@ void Direct::subtract_product(const Vector& x, Vector& to) {
   }
 }
 
+// Of the velocities at the rows' places.
+double Direct::farthest(const Vector& x, const Vector& y) const {
+  double result = 0;
+  for (const Row& row : rows_)
+    if (!row.block->angular) result = std::max(result, (velocity(row, x) - velocity(row, y)).norm());
+  return result;
+}
+
 // G(V) = M (V - c) - J^T f(y) = 0 with f_t = friction y_n y_t/|y_t| where it slips.  Its derivative is not
 // symmetric and may have directions that pull the other way (rows of bodies that slide on two faces share
-// their loads so): a root that the rounds run away from is a root all the same.
-bool Direct::couple() {
+// their loads so): a root that the rounds run away from is a root all the same, up to `reach` [m/s] from there.
+bool Direct::couple(double reach) {
   start_ = v_;
   for (Row& row : rows_) row.start_limit = row.limit;
   double before = std::numeric_limits<double>::infinity();
@@ -88,6 +96,7 @@ bool Direct::couple() {
     before = change;
     v_ -= way_;
     if (change <= std::max(1e-10 * v_.cwiseAbs().maxCoeff(), rounding_)) {
+      if (farthest(v_, start_) > reach) break;
       forces(v_, false, true);
       return true;
     }
