@@ -1,11 +1,14 @@
 #include "harness/view/host.h"
 
 #include "harness/core/input_error.h"
+#include "harness/process/failure.h"
+#include "harness/process/interruption.h"
 #include "harness/view/record_file.h"
 #include "harness/view/viewer_messages.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace cylon::view {
@@ -32,7 +35,35 @@ void Host::stop() {
   stop_ = true;
   changed_.notify_all();
   thread_.join();
+  if (asking_.joinable()) asking_.join();
   save();
+}
+
+// A lane shows after half a second; all engines take several.
+void Host::ask_engines() {
+  SessionOptions options;
+  {
+    const std::lock_guard lock(session_mutex_);
+    options = session_->options();
+  }
+  asking_ = std::thread([this, options = std::move(options)] {
+    for (const process::EngineRow& row : options.rows) {
+      if (stop_) return;
+      if (std::ranges::find(options.engines, row.id, &EngineInfo::id) != options.engines.end()) continue;
+      try {
+        EngineInfo info = ask(row, options.limits);
+        ++waiting_;
+        const std::lock_guard lock(session_mutex_);
+        --waiting_;
+        session_->offer(std::move(info));
+        publish();
+      } catch (const process::Failure&) {
+        continue;  // not installed
+      } catch (const process::Interrupted&) {
+        return;
+      }
+    }
+  });
 }
 
 void Host::pace() {

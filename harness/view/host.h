@@ -48,7 +48,10 @@ class Host {
   /// States published so far.
   std::uint64_t states() const { return states_; }
 
-  /// Ends the pacing, and what readers wait for; saves the recording.
+  /// Asks all other engines what they are, one after another, and offers those that answer.  Once.
+  void ask_engines();
+
+  /// Ends the pacing, the asking, and what readers wait for; saves the recording.
   void stop();
 
  private:
@@ -69,7 +72,7 @@ class Host {
   std::shared_ptr<const std::string> state_, description_;
   std::uint64_t state_number_ = 0, session_number_ = 0, changes_ = 0;
 
-  std::thread thread_;
+  std::thread thread_, asking_;
 };
 
 }  // namespace cylon::view

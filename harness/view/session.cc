@@ -23,21 +23,11 @@ constexpr double longest_step = 10;   // [s]
 
 }  // namespace
 
-std::vector<EngineInfo> available_engines(const std::vector<process::EngineRow>& rows,
-                                          const process::Limits& limits) {
-  std::vector<EngineInfo> engines;
-  for (const process::EngineRow& row : rows) {
-    try {
-      const core::Engine engine = process::describe({row.id, row, row.path, "", {}}, limits);
-      EngineInfo info{row.id, engine.version, {}};
-      for (const core::Integrator& integrator : engine.integrators)
-        info.integrators.push_back(integrator.name);
-      engines.push_back(info);
-    } catch (const process::Failure&) {
-      continue;
-    }
-  }
-  return engines;
+EngineInfo ask(const process::EngineRow& row, const process::Limits& limits) {
+  const core::Engine engine = process::describe({row.id, row, row.path, "", {}}, limits);
+  EngineInfo info{row.id, engine.version, {}};
+  for (const core::Integrator& integrator : engine.integrators) info.integrators.push_back(integrator.name);
+  return info;
 }
 
 Session::Session(scenario::Scenario scenario, SessionOptions options)
@@ -150,14 +140,29 @@ void Session::check_body(int body, const char* what) const {
     throw BadCommand(fmt::format("{}: body {} is locked and cannot move", what, body));
 }
 
-std::unique_ptr<Lane> Session::make_lane(const LaneSpec& spec) const {
+// Listed as the rows are.
+void Session::offer(EngineInfo info) {
+  std::vector<EngineInfo>& engines = options_.engines;
+  const auto place = [&](const std::string& id) {
+    return std::ranges::find(options_.rows, id, &process::EngineRow::id) - options_.rows.begin();
+  };
+  if (std::ranges::find(engines, info.id, &EngineInfo::id) != engines.end()) return;
+  const auto after = std::ranges::find_if(
+      engines, [&](const EngineInfo& other) { return place(other.id) > place(info.id); });
+  engines.insert(after, std::move(info));
+  ++changes_;
+}
+
+const EngineInfo& Session::known(const process::EngineRow& row) {
+  const auto find = [&] { return std::ranges::find(options_.engines, row.id, &EngineInfo::id); };
+  if (find() == options_.engines.end()) offer(ask(row, options_.limits));
+  return *find();
+}
+
+std::unique_ptr<Lane> Session::make_lane(const LaneSpec& spec) {
   try {
     process::EngineChoice choice = process::parse_engine(spec.engine, options_.rows);
-    const auto info = std::find_if(options_.engines.begin(), options_.engines.end(),
-                                   [&](const EngineInfo& e) { return e.id == choice.row.id; });
-    if (info == options_.engines.end())
-      throw BadCommand(fmt::format("engine '{}' is not installed", spec.engine));
-    const auto& known = info->integrators;
+    const auto& known = this->known(choice.row).integrators;
     if (!spec.integrator.empty() && std::find(known.begin(), known.end(), spec.integrator) == known.end())
       throw BadCommand(fmt::format("integrator '{}' is not one of {}{} (valid: {})", spec.integrator,
                                    spec.engine, core::did_you_mean(spec.integrator, known),
@@ -166,6 +171,8 @@ std::unique_ptr<Lane> Session::make_lane(const LaneSpec& spec) const {
     if (!(dt <= longest_step))
       throw BadCommand(fmt::format("dt_text '{}': a step is at most {} s", spec.dt_text, longest_step));
     return std::make_unique<Lane>(spec, dt, std::move(choice), options_.limits);
+  } catch (const process::Failure&) {
+    throw BadCommand(fmt::format("engine '{}' is not installed", spec.engine));
   } catch (const core::InputError& error) {
     throw BadCommand(error.what());
   }

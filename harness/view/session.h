@@ -21,12 +21,13 @@ struct EngineInfo {
   std::vector<std::string> integrators;  ///< The first is the default.
 };
 
-/// Those that answer; an engine that is not installed is left out.
-std::vector<EngineInfo> available_engines(const std::vector<process::EngineRow>&, const process::Limits&);
+/// What an engine says of itself.  Throws process::Failure where it does not answer.
+EngineInfo ask(const process::EngineRow&, const process::Limits&);
 
 struct SessionOptions {
   std::vector<process::EngineRow> rows;
-  std::vector<EngineInfo> engines;
+  std::vector<EngineInfo>
+      engines;    ///< That have been asked already; those of a lane are asked when it is made.
   LaneSpec lane;  ///< The first.
   bool playing = true;
   double speed = 1;
@@ -49,8 +50,11 @@ class Session {
   /// is slower than that.  All lanes advance at once.  Returns whether anything moved.
   bool advance(double seconds);
 
-  /// Throws BadCommand, and changes nothing, where it cannot be.
+  /// Throws BadCommand, and changes nothing but which engines are known, where it cannot be.
   void apply(const Command&);
+
+  /// One more engine to choose from; nothing where it is known already.
+  void offer(EngineInfo);
 
   const scenario::Scenario& scenario() const { return scenario_; }
   const SessionOptions& options() const { return options_; }
@@ -82,7 +86,8 @@ class Session {
   void obey(const Set&);
 
   Lane* first_running() const;
-  std::unique_ptr<Lane> make_lane(const LaneSpec&) const;
+  const EngineInfo& known(const process::EngineRow&);
+  std::unique_ptr<Lane> make_lane(const LaneSpec&);
   void check_body(int body, const char* what) const;
   void check_resumable(const char* what) const;
   core::Scene with_pull() const;

@@ -66,7 +66,6 @@ std::unique_ptr<view::Session> make_session(const Context& context, const Option
   scenario::Scenario scenario = scenario::read(find_scenario(context, options.file));
   view::SessionOptions settings;
   settings.rows = with_brought(context, options.brought);
-  settings.engines = view::available_engines(settings.rows, settings.limits);
   settings.playing = !options.paused;
   settings.speed = options.speed;
   settings.recording = options.record;
@@ -106,6 +105,7 @@ int view_scenario(const Context& context, const Options& options) {
   if (!options.record.empty() && !file) frames = std::make_unique<view::Frames>(options.record);
   view::Host host(std::move(session), file ? options.record : "", say);
   view::Server server(host, frames.get(), options.port);
+  host.ask_engines();
   say(server.address());
   for (const std::string& line : host.failures()) std::cerr << plain_line(line) << '\n';
   std::unique_ptr<view::Redirect> redirect;

@@ -81,10 +81,8 @@ inline scenario::Scenario scenario(core::Scene scene) {
 
 inline SessionOptions options(const std::string& id, const std::string& integrator = "",
                               const std::string& dt = "0.01") {
-  static const std::vector<EngineInfo> engines = available_engines(rows(), limits);
   SessionOptions result;
   result.rows = rows();
-  result.engines = engines;
   result.lane = {id, integrator, dt};
   result.limits = limits;
   return result;

@@ -81,6 +81,34 @@ int read_stream(httplib::Client& client, const Headers& headers,
   return states;
 }
 
+// Whoever views a scene waits for the engines of its lanes alone: the others took 3 to 8 s.
+TEST(Host, OffersEnginesAsTheyAnswer) {
+  SessionOptions settings = options("ode");
+  std::erase_if(settings.rows, [](const process::EngineRow& row) {
+    return row.id != "in-house" && row.id != "ode" && row.id != "bullet";
+  });
+  for (process::EngineRow& row : settings.rows)
+    if (row.id == "bullet") row.command = {"/no/such/worker"};
+  auto session =
+      std::make_unique<Session>(scenario(ball_on_floor(0.5, {0.1, 0, 0}, 0.8)), std::move(settings));
+  Host host(std::move(session), "", [](const std::string&) {});
+  const auto ids = [&] {
+    std::vector<std::string> found;
+    const json told = json::parse(host.session_json());
+    for (const json& engine : told["engines"]) {
+      EXPECT_FALSE(engine["integrators"].empty());
+      found.push_back(engine["id"]);
+    }
+    return found;
+  };
+  EXPECT_EQ(ids(), std::vector<std::string>{"ode"});
+  host.ask_engines();
+  for (int i = 0; i < 500 && ids().size() < 2; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  host.stop();
+  EXPECT_EQ(ids(), (std::vector<std::string>{"in-house", "ode"}));  // in the order of the rows
+}
+
 TEST_F(ServerTest, GivesOutThePageWithItsRules) {
   const auto page = client().Get("/");
   ASSERT_TRUE(page);

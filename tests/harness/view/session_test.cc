@@ -40,7 +40,9 @@ TEST(Session, RejectsInvalidCommands) {
   scene.bodies.push_back(scene.bodies[0]);
   scene.bodies[1].name = "wall.1", scene.bodies[1].locked = true, scene.bodies[1].initial.position.x() = 3;
   scene.forces.emplace_back(core::Spring{.body = 0, .stiffness = 3});
-  Session session = session_of(scene, options("bullet"));
+  SessionOptions settings = options("bullet");
+  settings.engines.push_back(ask(engine("ode").row, limits));  // which is asked for an integrator below
+  Session session = session_of(scene, std::move(settings));
   const std::pair<const char*, const char*> rows[] = {
       {"", "JSON"},
       {"{", "JSON"},
