@@ -1,4 +1,5 @@
 // The probes find out from motions alone what the sources of the engines say.
+#include "harness/process/session.h"
 #include "harness/study/probes.h"
 #include "tests/conformance/fixture.h"
 #include "tests/paths.h"
@@ -85,6 +86,7 @@ bool answered(const study::Finding& found) {
 }
 
 TEST(Fingerprint, TellsEveryEngineApart) {
+  const process::KeptWorkers kept;  // those in Node take longer to start than to answer
   std::map<std::vector<std::string>, std::string> known;
   for (const char* id : engines) {
     const process::EngineChoice engine = conformance::engine(id);
@@ -120,6 +122,7 @@ constexpr Row as_shipped[] = {
 };
 
 TEST(Fingerprint, SeesThroughDampingAsShipped) {
+  const process::KeptWorkers kept;  // those in Node take longer to start than to answer
   for (const Row& row : as_shipped) {
     const process::EngineChoice engine = conformance::engine(std::string(row.engine) + "/path=as-shipped");
     if (process::missing(engine.row)) continue;

@@ -3,6 +3,7 @@
 #include "harness/cli/command_line.h"
 #include "harness/process/client.h"
 #include "harness/process/interruption.h"
+#include "harness/process/session.h"
 #include "harness/scenario/glob.h"
 #include "harness/study/probes.h"
 
@@ -56,6 +57,7 @@ int fingerprint(const std::vector<process::EngineRow>& engines, const std::vecto
   bool whole = true;
   try {
     for (const process::EngineChoice& choice : choices) {
+      const process::KeptWorkers kept;  // those in Node take longer to start than to answer
       const auto findings = study::find_out(study::worker_runner(choice, {}));
       if (json)
         rows.push_back(to_json(choice.id, findings));
