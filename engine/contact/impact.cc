@@ -85,6 +85,25 @@ Real speed_rounding(const TouchPoint& touch, const std::vector<Body>& bodies, co
   return 32 * epsilon * sum;
 }
 
+namespace {
+
+// Of all rounds of strike() together.
+constexpr std::int64_t most_operations = 3 << 20;
+
+// There, by an impulse of that size, whatever joints make of it.
+Real speed_given(const TouchPoint& touch, const std::vector<Body>& bodies, const Motion* motion,
+                 Real impulse) {
+  const auto yields = [&](int body) {
+    if (body == fixed_world) return Real(0);
+    const Body& b = bodies[index(body)];
+    const Real turned = rotates(b) ? b.inverse_inertia.norm() : Real(0);
+    return b.inverse_mass + turned * (touch.position - motion[index(body)].position).squaredNorm();
+  };
+  return impulse * (yields(touch.body) + yields(touch.other));
+}
+
+}  // namespace
+
 ImpactOutcome strike_at_once(std::span<const TouchPoint> touches, std::span<const Row> joints,
                              const std::vector<Body>& bodies, Motion* motion, std::vector<Hold>* memory) {
   ImpactOutcome outcome;
@@ -154,8 +173,10 @@ bool stop_slip(std::span<const TouchPoint> touches, std::span<const Row> joints,
 
 ImpactOutcome strike(std::span<const TouchPoint> touches, Impacts impacts, std::span<const Row> joints,
                      const std::vector<Body>& bodies, Motion* motion) {
+  Real unsure = 0;  // speeds that solutions so far leave by their own error
   const auto approaches = [&](const TouchPoint& t) {
-    return t.normal.dot(relative_velocity(t, bodies, motion)) < -speed_rounding(t, bodies, motion);
+    return t.normal.dot(relative_velocity(t, bodies, motion)) <
+           -std::max(speed_rounding(t, bodies, motion), unsure);
   };
   if (impacts == Impacts::simultaneous) return strike_at_once(touches, joints, bodies, motion);
 
@@ -176,7 +197,9 @@ ImpactOutcome strike(std::span<const TouchPoint> touches, Impacts impacts, std::
       group.back().restitution *= restitution_factor;
     }
     const ImpactOutcome part = strike_at_once(group, joints, bodies, motion, before);
+    unsure = std::max(unsure, 2 * part.violation);
     for (std::size_t g = 0; g < members.size(); ++g) {
+      unsure = std::max(unsure, 64 * epsilon * speed_given(group[g], bodies, motion, part.impulse[g].norm()));
       outcome.impulse[members[g]] += part.impulse[g];
       outcome.approach[members[g]] = std::max(outcome.approach[members[g]], part.approach[g]);
     }
@@ -194,7 +217,7 @@ ImpactOutcome strike(std::span<const TouchPoint> touches, Impacts impacts, std::
   };
 
   std::vector<std::size_t> members;
-  for (int round = 0; round < most_impact_rounds; ++round) {
+  for (int round = 0; round < most_impact_rounds && outcome.operations <= most_operations; ++round) {
     bool any = false;
     for (std::size_t p = 0; p < pairs.size(); ++p) {
       members.clear();

@@ -48,8 +48,8 @@ bool stop_slip(std::span<const TouchPoint>, std::span<const Row> joints, const s
 inline constexpr int most_impact_rounds = 200;
 
 /// The points of one instant.  Simultaneous: all at once.  Sequential: pair by pair in the order of their
-/// numbers, again and again until nothing approaches faster than rounding; after most_impact_rounds over the pairs,
-/// all at once and plastic, so that it ends.
+/// numbers, again and again until nothing approaches faster than the solutions are sure of; after most_impact_rounds over the
+/// pairs, or a bounded number of operations, all at once and plastic, so that it ends.
 ImpactOutcome strike(std::span<const TouchPoint>, Impacts, std::span<const Row> joints,
                      const std::vector<Body>&, Motion*);
 

@@ -383,7 +383,9 @@ void BodyPile::solve_groups(Time now) {
     if (!solved) log_.note(DiagnosticKind::contacts_unsolved, now, {}, direct_.residual());
     smooth_ = smooth_ && solved;
     residual_ = std::max(residual_, direct_.residual());
+    unsure_ = std::max(unsure_, static_cast<Real>(direct_.unsure()));
   };
+  unsure_ = std::exchange(unsure_in_turn_, 0);
   if (!divided_) {
     if (!blocks_.empty()) note(direct_.solve(blocks_, model_.bodies, movers_));
     return;

@@ -262,7 +262,7 @@ void BodyPile::land(Time now, Real lag) {
     for (const Block& block : blocks_)
       if (!takes(block)) note_pressed(block, resting_impulse(block, lag), contacts_);
   for (Block& block : blocks_) block.past.known = false;
-  taken_.clear();
+  taken_.clear(), jumped_.clear();
   is_ahead_ = false;
 }
 

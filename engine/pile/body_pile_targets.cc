@@ -9,14 +9,19 @@ namespace cylon::engine::pile {
 
 // Newton's restitution against the velocity before the forces of the step; a gap may close, but not more.
 //   u_n >= -e u_n(before) where the points meet within h;  else u_n >= -max(gap, 0)/h
-// Forces act for `span`.
+// Forces act for `span`.  What joints and contacts bore of a blow they go on to press against each other with, if the solution
+// begins there: nothing moves by that, but friction would hold.
 void BodyPile::set_targets(Time now, Real span, Real h) {
-  const Real slow = 4 * gravity_ * h + std::numeric_limits<Real>::min();
+  const Real slow = std::max(4 * gravity_ * h + std::numeric_limits<Real>::min(), unsure_);
+  const auto jumped = [this](int body) {
+    return body != fixed_world && !jumped_.empty() && jumped_[index(body)];
+  };
   for (Block& block : blocks_) {
     if (!takes(block)) continue;
     block.before = relative_velocity(block, movers_);
     block.bias.setZero(), block.blow.setZero(), block.struck = 0;
     if (block.past.acted > 0) block.impulse *= span / block.past.acted;  // where the solution begins
+    if (!model_.joints.empty() && (jumped(block.a) || jumped(block.b))) block.impulse.setZero();
     block.limit = block.friction * span, block.past.acted = span;
     if (block.kind == Block::Kind::soft) soften(block, now, span, h);
     if (!block.is_one_sided()) continue;
@@ -24,7 +29,8 @@ void BodyPile::set_targets(Time now, Real span, Real h) {
     const Real gap = stop ? gap_of_stop(block) : block.gap + block.normal.dot(offset(block, motions_));
     const Real u = block.normal.dot(block.before);
     const bool meets = u < 0 && gap + u * h <= 0;
-    block.target = meets && block.restitution > 0 ? -block.restitution * u : -std::max(gap, Real(0)) / h;
+    const bool bounces = meets && block.restitution > 0 && -u > unsure_;
+    block.target = bounces ? -block.restitution * u : -std::max(gap, Real(0)) / h;
     // Where arms and normals have turned since the last solution, what lasts seems to approach.
     const Real approach = block.past.known ? std::min(-u, -block.past.normal.dot(block.past.u)) : -u;
     block.impact = meets && (stop ? block.impulse.isZero(0) : approach > slow);
@@ -37,12 +43,13 @@ void BodyPile::set_targets(Time now, Real span, Real h) {
 void BodyPile::strike_in_turn(Time now, Real h, bool leaps) {
   if (model_.impacts != Impacts::sequential) return;
   if (std::none_of(blocks_.begin(), blocks_.end(), [](const Block& b) { return b.impact; })) return;
-  const InTurn::Part part = {h, 4 * gravity_ * h, leaps && !isolated_};
+  const InTurn::Part part = {h, std::max(4 * gravity_ * h, unsure_), leaps && !isolated_};
   const std::vector<Group> all = divided_ ? std::vector<Group>() : find_groups(blocks_, movers_);
   for (const Group& group : divided_ ? groups_ : all) {
     const InTurn::Outcome outcome = in_turn_.strike(group, part, blocks_, model_.bodies, movers_, motions_);
+    unsure_in_turn_ = std::max(unsure_in_turn_, in_turn_.unsure());
     if (outcome.ordered) log_.note(DiagnosticKind::impacts_ordered, now);
-    if (!outcome.ended) log_.note(DiagnosticKind::impacts_unending, now, most_impact_rounds);
+    if (!outcome.ended) log_.note(DiagnosticKind::impacts_unending, now, outcome.rounds);
     if (outcome.solved) continue;
     log_.note(DiagnosticKind::contacts_unsolved, now, {}, in_turn_.residual());
     residual_ = std::max(residual_, in_turn_.residual());

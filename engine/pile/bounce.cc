@@ -71,7 +71,7 @@ bool Bounce::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, 
   const bool any = std::any_of(blocks.begin(), blocks.end(), bounces);
   const std::vector<Mover> start = any ? movers : std::vector<Mover>();
   bool solved = direct_.solve(blocks, bodies, movers);
-  residual_ = direct_.residual();
+  residual_ = direct_.residual(), unsure_ = direct_.unsure();
   if (!any) return solved;
 
   const Solution full(blocks, movers);
@@ -87,7 +87,7 @@ bool Bounce::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, 
     if (bounces(block)) block.target = 0;
   std::vector<Mover> slow = start;
   solved &= direct_.solve(without, bodies, slow);
-  residual_ = std::max(residual_, direct_.residual());
+  residual_ = std::max(residual_, direct_.residual()), unsure_ = std::max(unsure_, direct_.unsure());
   const Solution dull(without, slow);
   for (const Group& group : gaining) {
     const Real theta = share(group, blocks, dull, full);

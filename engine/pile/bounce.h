@@ -19,12 +19,15 @@ class Bounce {
   /// The largest violation that a solution left in the last call [m/s].
   double residual() const { return residual_; }
 
+  /// As Direct's, of all solutions of the last call.
+  double unsure() const { return unsure_; }
+
   /// As Direct's.
   std::int64_t operations() const { return direct_.operations(); }
 
  private:
   Direct direct_;
-  double residual_ = 0;
+  double residual_ = 0, unsure_ = 0;
 };
 
 /// The greatest theta in [0, 1] with a theta^2 + b theta + c <= 0, where a + b + c > 0; 0: there is none.

@@ -404,14 +404,14 @@ bool Direct::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, 
     velocities_of_impulses();
     forces(v_, false);
     // What rounding leaves of V* + M^-1 J^T lambda.
-    double fastest = free_.size() > 0 ? free_.cwiseAbs().maxCoeff() : 0;
+    fastest_ = free_.size() > 0 ? free_.cwiseAbs().maxCoeff() : 0;
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
       const auto at = static_cast<Eigen::Index>(6 * k);
       const Eigen::Matrix<double, 6, 1> size = inverses_[k].cwiseAbs() * push_.segment<6>(at).cwiseAbs();
-      fastest = std::max(fastest, size.maxCoeff());
+      fastest_ = std::max(fastest_, size.maxCoeff());
     }
-    rounding_ = double_epsilon * fastest;
-    allowed = 256 * std::max(double_epsilon, static_cast<double>(epsilon) / 64) * fastest;
+    rounding_ = double_epsilon * fastest_;
+    allowed = 256 * std::max(double_epsilon, static_cast<double>(epsilon) / 64) * fastest_;
     residual_ = 0;
     for (const Row& row : rows_) {
       const V3 u = velocity(row, v_);

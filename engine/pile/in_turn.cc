@@ -6,6 +6,9 @@
 namespace cylon::engine::pile {
 namespace {
 
+// Of all rounds together; about a third of a second.
+constexpr std::int64_t most_operations = std::int64_t{1} << 22;
+
 // Of u_n at a block by all speeds that it is the difference of [m/s].
 Real speed_rounding(const Block& block, const std::vector<Mover>& movers) {
   const auto size = [&](int body, const Vector3& arm) {
@@ -48,7 +51,7 @@ bool InTurn::approaches(std::size_t k, const Part& part) const {
   const Block& block = lists_.blocks[k];
   const Real u = block.normal.dot(relative_velocity(block, lists_.movers));
   const Real lasts = block.impact ? Real(0) : std::max<Real>(0, -block.normal.dot(block.before));
-  return -u > lasts + std::max(part.slow, speed_rounding(block, lists_.movers)) &&
+  return -u > lasts + std::max({part.slow, speed_rounding(block, lists_.movers), unsure_}) &&
          gap_now(k) + u * part.length <= 0;
 }
 
@@ -80,6 +83,7 @@ bool InTurn::solve(const Pair& pair, const Part& part) {
   }
   const bool solved = bounce_.solve(part_, lists_.bodies, lists_.movers);
   residual_ = std::max(residual_, bounce_.residual());
+  unsure_ = std::max(unsure_, static_cast<Real>(bounce_.unsure()));
   for (std::size_t i = 0; i < part_.size(); ++i) blows_[place_[i]] += part_[i].impulse;
   return solved;
 }
@@ -99,7 +103,7 @@ InTurn::Outcome InTurn::strike(const Group& group, const Part& part, std::vector
                                const std::vector<Body>& bodies, const std::vector<Mover>& movers,
                                const std::vector<Motion>& motions) {
   Outcome outcome;
-  residual_ = 0;
+  residual_ = 0, unsure_ = 0;
   const auto any = [&](const auto& is) {
     return std::any_of(group.blocks.begin(), group.blocks.end(), [&](int k) { return is(blocks[index(k)]); });
   };
@@ -132,17 +136,23 @@ InTurn::Outcome InTurn::strike(const Group& group, const Part& part, std::vector
   };
   int strikes = 0;
   outcome.ended = false;
-  for (int round = 0; round < most_impact_rounds && !outcome.ended; ++round) {
+  const std::int64_t last = bounce_.operations() + most_operations;
+  while (!outcome.ended && outcome.rounds < most_impact_rounds && bounce_.operations() <= last) {
+    ++outcome.rounds;
     outcome.ended = true;
     for (const Pair& pair : pairs_) {
       if (!struck(pair)) continue;
-      ++strikes, outcome.ended = false;
+      outcome.ended = false;
+      if (bounce_.operations() > last) break;
+      ++strikes;
       if (!outcome.ordered) look(pair);
       outcome.solved &= solve(pair, part);
       outcome.ordered = outcome.ordered || std::any_of(found.begin(), found.end(), changed);
     }
   }
-  if (strikes < 2) return {};
+  // A single impact is the solution of the part, unless a joint might share its load with what touches and is not approached.
+  const bool shares = pairs_.size() > 1 && any([](const Block& b) { return b.kind == Block::Kind::hold; });
+  if (strikes < (shares ? 1 : 2)) return {};
   write_back(group, blocks);
   return outcome;
 }

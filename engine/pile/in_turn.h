@@ -21,17 +21,22 @@ class InTurn {
   };
   struct Outcome {
     bool ordered = false;  ///< Another order might have done something else.
-    bool ended = true;     ///< Nothing approached before most_impact_rounds were over.
-    bool solved = true;    ///< As Direct::solve().
+    bool ended =
+        true;  ///< Nothing approached before most_impact_rounds, or a bounded number of operations, were over.
+    int rounds = 0;
+    bool solved = true;  ///< As Direct::solve().
   };
 
   /// In: blocks whose targets are set.  Out, of those of the group: the impulses of all impacts, how fast each was approached, and
-  /// targets that keep what the impacts leave while forces act; what still approaches after most_impact_rounds is left to the
-  /// solution of the part, without restitution.  A single impact is left to it whole.  Motions are not changed.
+  /// targets that keep what the impacts leave while forces act; what still approaches then is left to the
+  /// solution of the part, without restitution.  A single impact is left to it whole, unless a joint
+  /// might share its load with what touches.  Motions are not changed.
   Outcome strike(const Group&, const Part&, std::vector<Block>&, const std::vector<Body>&,
                  const std::vector<Mover>&, const std::vector<Motion>&);
 
   double residual() const { return residual_; }
+  /// As Direct's, of all impacts of the last group.
+  Real unsure() const { return unsure_; }
   std::int64_t operations() const { return bounce_.operations(); }
 
  private:
@@ -53,6 +58,7 @@ class InTurn {
   std::vector<Block> part_;
   std::vector<std::size_t> place_;  // of each block of the part in the group
   Bounce bounce_;
+  Real unsure_ = 0;
   double residual_ = 0;
 };
 
