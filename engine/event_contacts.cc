@@ -223,7 +223,7 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
   if (!outcome.exact && outcome.violation > *std::ranges::max_element(rounding))
     log_.note(DiagnosticKind::impacts_inexact, now, {}, static_cast<double>(outcome.violation));
   if (outcome.order_counts) log_.note(DiagnosticKind::impacts_ordered, now);
-  if (!outcome.ended) log_.note(DiagnosticKind::impacts_unending, now, most_impact_rounds);
+  if (!outcome.ended) log_.note(DiagnosticKind::impacts_unending, now, outcome.turns);
 
   for (std::size_t i = 0; keep_ && i < touches.size(); ++i) tell(touching[i], outcome.impulse[i]);
 

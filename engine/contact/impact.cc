@@ -58,6 +58,21 @@ class Coupling {
   Response response_;
 };
 
+// Of all rounds of strike() together.
+constexpr std::int64_t most_operations = 3 << 20;
+
+// There, by an impulse of that size, whatever joints make of it.
+Real speed_given(const TouchPoint& touch, const std::vector<Body>& bodies, const Motion* motion,
+                 Real impulse) {
+  const auto yields = [&](int body) {
+    if (body == fixed_world) return Real(0);
+    const Body& b = bodies[index(body)];
+    const Real turned = rotates(b) ? b.inverse_inertia.norm() : Real(0);
+    return b.inverse_mass + turned * (touch.position - motion[index(body)].position).squaredNorm();
+  };
+  return impulse * (yields(touch.body) + yields(touch.other));
+}
+
 }  // namespace
 
 Real speed_rounding(const TouchPoint& touch, const std::vector<Body>& bodies, const Motion* motion) {
@@ -84,25 +99,6 @@ Real speed_rounding(const TouchPoint& touch, const std::vector<Body>& bodies, co
   if (touch.other != fixed_world) sum += size(touch.other);
   return 32 * epsilon * sum;
 }
-
-namespace {
-
-// Of all rounds of strike() together.
-constexpr std::int64_t most_operations = 3 << 20;
-
-// There, by an impulse of that size, whatever joints make of it.
-Real speed_given(const TouchPoint& touch, const std::vector<Body>& bodies, const Motion* motion,
-                 Real impulse) {
-  const auto yields = [&](int body) {
-    if (body == fixed_world) return Real(0);
-    const Body& b = bodies[index(body)];
-    const Real turned = rotates(b) ? b.inverse_inertia.norm() : Real(0);
-    return b.inverse_mass + turned * (touch.position - motion[index(body)].position).squaredNorm();
-  };
-  return impulse * (yields(touch.body) + yields(touch.other));
-}
-
-}  // namespace
 
 ImpactOutcome strike_at_once(std::span<const TouchPoint> touches, std::span<const Row> joints,
                              const std::vector<Body>& bodies, Motion* motion, std::vector<Hold>* memory) {
@@ -173,11 +169,6 @@ bool stop_slip(std::span<const TouchPoint> touches, std::span<const Row> joints,
 
 ImpactOutcome strike(std::span<const TouchPoint> touches, Impacts impacts, std::span<const Row> joints,
                      const std::vector<Body>& bodies, Motion* motion) {
-  Real unsure = 0;  // speeds that solutions so far leave by their own error
-  const auto approaches = [&](const TouchPoint& t) {
-    return t.normal.dot(relative_velocity(t, bodies, motion)) <
-           -std::max(speed_rounding(t, bodies, motion), unsure);
-  };
   if (impacts == Impacts::simultaneous) return strike_at_once(touches, joints, bodies, motion);
 
   ImpactOutcome outcome;
@@ -188,6 +179,15 @@ ImpactOutcome strike(std::span<const TouchPoint> touches, Impacts impacts, std::
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 
+  // Speeds that solutions leave by their own error: by rounding anywhere, by what violates the law where it does.
+  Real rounding = 0;
+  std::vector<Real> violated(pairs.size(), 0);
+  const auto approaches = [&](const TouchPoint& t) {
+    const auto p = static_cast<std::size_t>(std::ranges::lower_bound(pairs, t.pair) - pairs.begin());
+    return t.normal.dot(relative_velocity(t, bodies, motion)) <
+           -std::max({speed_rounding(t, bodies, motion), rounding, 2 * violated[p]});
+  };
+
   std::vector<std::vector<Hold>> memory(pairs.size());  // how each pair was held in the round before
   const auto solve_group = [&](const std::vector<std::size_t>& members, Real restitution_factor,
                                std::vector<Hold>* before) {
@@ -197,9 +197,9 @@ ImpactOutcome strike(std::span<const TouchPoint> touches, Impacts impacts, std::
       group.back().restitution *= restitution_factor;
     }
     const ImpactOutcome part = strike_at_once(group, joints, bodies, motion, before);
-    unsure = std::max(unsure, 2 * part.violation);
     for (std::size_t g = 0; g < members.size(); ++g) {
-      unsure = std::max(unsure, 64 * epsilon * speed_given(group[g], bodies, motion, part.impulse[g].norm()));
+      const Real given = speed_given(group[g], bodies, motion, part.impulse[g].norm());
+      rounding = std::max(rounding, 64 * epsilon * given);
       outcome.impulse[members[g]] += part.impulse[g];
       outcome.approach[members[g]] = std::max(outcome.approach[members[g]], part.approach[g]);
     }
@@ -207,6 +207,7 @@ ImpactOutcome strike(std::span<const TouchPoint> touches, Impacts impacts, std::
     outcome.violation = std::max(outcome.violation, part.violation);
     ++outcome.rounds;
     outcome.operations += part.operations;
+    return part.violation;
   };
 
   std::optional<Coupling> coupling;
@@ -217,7 +218,8 @@ ImpactOutcome strike(std::span<const TouchPoint> touches, Impacts impacts, std::
   };
 
   std::vector<std::size_t> members;
-  for (int round = 0; round < most_impact_rounds && outcome.operations <= most_operations; ++round) {
+  while (outcome.turns < most_impact_rounds && outcome.operations <= most_operations) {
+    ++outcome.turns;
     bool any = false;
     for (std::size_t p = 0; p < pairs.size(); ++p) {
       members.clear();
@@ -231,7 +233,7 @@ ImpactOutcome strike(std::span<const TouchPoint> touches, Impacts impacts, std::
       any = true;
       for (std::size_t i = 0; i < touches.size() && !outcome.order_counts; ++i)
         outcome.order_counts = might_be_first(members, i);
-      solve_group(members, 1, &memory[p]);
+      violated[p] = solve_group(members, 1, &memory[p]);
     }
     if (!any) return outcome;
   }

@@ -22,6 +22,7 @@ namespace cylon::engine {
 struct ImpactOutcome {
   std::vector<Vector3> impulse;  ///< On `body` of each point, sum over the instant, world axes [N s].
   std::vector<Real> approach;  ///< Of each point: the largest -u_n that it was struck with [m/s]; 0 if never.
+  int turns = 0;               ///< Sequential: rounds over the pairs.
   int rounds = 0;              ///< Groups that were solved,
   std::int64_t operations = 0;  ///< and what that took of CoulombSolution::operations.
   bool exact = true;            ///< Every group obeys the law to rounding; else

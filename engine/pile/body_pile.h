@@ -157,8 +157,8 @@ class BodyPile : public Stepper {
   std::int64_t steps_;
   std::int64_t work_ = 0;  // operations beside those of what solves
   double residual_ = 0;
-  Real unsure_ = 0,
-       unsure_in_turn_ = 0;  // speeds that the last solutions leave by their own error: no approach [m/s]
+  // Speeds that the last solutions leave by their own error: no approach [m/s].
+  Real unsure_ = 0, unsure_in_turn_ = 0;
   StepLimit limit_;
   int most_told_ = 1;      // of stiff_parts_
   bool changing_ = false;  // what a step can bear changes in time

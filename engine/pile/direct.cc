@@ -383,13 +383,17 @@ double Direct::yielding(const Row& row) const {
   return sum;
 }
 
+double Direct::unsure() const {
+  return std::max(2 * std::min(residual_, solved * allowed_), 64 * static_cast<double>(epsilon) * fastest_);
+}
+
 bool Direct::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, std::vector<Mover>& movers) {
   set_up(blocks, bodies, movers);
   const bool loops = holds_in_loops();
   if (loops) reconcile_biases();
   for (Row& row : rows_)
     row.limit = static_cast<double>(row.block->friction) * std::max(row.n.dot(row.lambda), 0.);
-  double allowed = 0, best = std::numeric_limits<double>::infinity();
+  double best = std::numeric_limits<double>::infinity();
   int best_round = 0, stiffenings = 0;
   double stiff = 1, lightest = std::numeric_limits<double>::infinity(), stiffness = 0, yields = 0;
   for (const int body : bodies_)
@@ -411,7 +415,7 @@ bool Direct::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, 
       fastest_ = std::max(fastest_, size.maxCoeff());
     }
     rounding_ = double_epsilon * fastest_;
-    allowed = 256 * std::max(double_epsilon, static_cast<double>(epsilon) / 64) * fastest_;
+    allowed_ = 256 * std::max(double_epsilon, static_cast<double>(epsilon) / 64) * fastest_;
     residual_ = 0;
     for (const Row& row : rows_) {
       const V3 u = velocity(row, v_);
@@ -432,8 +436,8 @@ bool Direct::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, 
       for (Row& row : rows_) row.best = row.lambda;
     }
     // Where rounds no longer help, what is left is rounding, or friction that has no solution.
-    if (residual_ <= allowed || round == most_rounds || !(round < best_round + patience) ||
-        (!helps && residual_ <= (stiffenings < tries ? 100 : solved) * allowed) || operations_ > last_)
+    if (residual_ <= allowed_ || round == most_rounds || !(round < best_round + patience) ||
+        (!helps && residual_ <= (stiffenings < tries ? 100 : solved) * allowed_) || operations_ > last_)
       break;
     // Four corners of a face, of which one presses less than it seems to, go on at a pace of the violation times the
     // stiffness, and bodies on long arms resist angular rows by more than their inertia.  Stiffer rows end both.  Where
@@ -464,7 +468,7 @@ bool Direct::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, 
     m.v = v_.segment<3>(static_cast<Eigen::Index>(6 * k)).cast<Real>();
     m.w = v_.segment<3>(static_cast<Eigen::Index>(6 * k + 3)).cast<Real>();
   }
-  return residual_ <= solved * allowed;
+  return residual_ <= solved * allowed_;
 }
 
 }  // namespace cylon::engine::pile

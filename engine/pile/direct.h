@@ -6,7 +6,6 @@
 
 #include <Eigen/LU>
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -38,8 +37,9 @@ class Direct {
   /// The largest violation that the last solution left [m/s].
   double residual() const { return residual_; }
 
-  /// Speeds that the last solution leaves by its own error [m/s, rad/s]: what approaches no faster does not approach.
-  double unsure() const { return std::max(2 * residual_, 64 * static_cast<double>(epsilon) * fastest_); }
+  /// Speeds that the last solution leaves by its own error, as far as the laws held [m/s, rad/s]: what approaches no faster
+  /// does not approach.
+  double unsure() const;
 
   /// Of all solutions so far (Stepper::operations()).
   std::int64_t operations() const { return operations_; }
@@ -94,7 +94,7 @@ class Direct {
   Eigen::PartialPivLU<Eigen::MatrixXd> few_factored_;
   std::vector<const Row*> skew_rows_;
   Vector few_rates_, column_, start_, free_, centre_, v_, gradient_, way_, push_;
-  double residual_ = 0, fastest_ = 0;  // of bodies, or of what impulses give them
+  double residual_ = 0, allowed_ = 0, fastest_ = 0;  // of bodies, or of what impulses give them
   std::int64_t operations_ = 0, last_ = std::numeric_limits<std::int64_t>::max();  // no more than these
   double rounding_ = 0;  // of a velocity that impulses give [m/s]
 };

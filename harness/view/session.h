@@ -26,9 +26,8 @@ EngineInfo ask(const process::EngineRow&, const process::Limits&);
 
 struct SessionOptions {
   std::vector<process::EngineRow> rows;
-  std::vector<EngineInfo>
-      engines;    ///< That have been asked already; those of a lane are asked when it is made.
-  LaneSpec lane;  ///< The first.
+  std::vector<EngineInfo> engines;  ///< That are known already; one of a lane is asked when it is made.
+  LaneSpec lane;                    ///< The first.
   bool playing = true;
   double speed = 1;
   std::string recording;  ///< Shown to the page; "": nothing is kept.
