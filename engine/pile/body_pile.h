@@ -38,6 +38,9 @@ class BodyPile : public Stepper {
   /// a force that jumps.
   std::optional<int> order_so_far() const override { return is_ahead_ && smooth_ && !rotors_ ? 2 : 1; }
 
+  /// Whether the last step has left everything at rest.
+  bool is_at_rest() const;
+
   /// Largest violation of the contact and joint laws that a direct solution has left [m/s].
   double residual() const { return residual_; }
 

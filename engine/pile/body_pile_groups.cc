@@ -201,6 +201,14 @@ bool BodyPile::is_slow(const Group& group, Real speed) const {
   });
 }
 
+bool BodyPile::is_at_rest() const {
+  for (std::size_t i = 0; i < movers_.size(); ++i)
+    if (!model_.bodies[i].locked &&
+        !is_slower(movers_[i], model_.shapes[i], hardly * gravity_ * static_cast<Real>(dt_)))
+      return false;
+  return true;
+}
+
 // Which blocks meet within the step, for bounces and events: as set_targets.
 void BodyPile::meet(const Group& group, Time now, Real h) {
   const Real slow = 4 * gravity_ * h + std::numeric_limits<Real>::min();

@@ -29,6 +29,8 @@ constexpr double stiffest = 1e8;
 // one: 67 where a pyramid under 300 times its boxes' mass is built up.  A round that is cut off before its
 // least value gives impulses that balance nothing, and the next one runs away from them.
 constexpr int most_newton_steps = 200;
+// Of what the forces give in the step: slower than that is rest.
+constexpr double at_rest = 1e-3;
 constexpr double double_epsilon = std::numeric_limits<double>::epsilon();
 
 // The inverse of a matrix that may be singular: what it cannot move becomes very heavy.  Only a
@@ -383,6 +385,16 @@ double Direct::yielding(const Row& row) const {
   return sum;
 }
 
+// Coulomb's law may have more than one solution, and what is at rest may have one in which it stays so and one in which it parts:
+// the first is looked for first, from friction without limits.  From friction without impulses rounds come to the other,
+// with much friction as with little.
+bool Direct::begins_at_rest() const {
+  const double fastest = free_.size() > 0 ? free_.cwiseAbs().maxCoeff() : 0;
+  return std::all_of(rows_.begin(), rows_.end(), [&](const Row& row) {
+    return row.lambda.isZero(0) && static_cast<double>(row.block->before.norm()) <= at_rest * fastest;
+  });
+}
+
 double Direct::unsure() const {
   return std::max(2 * std::min(residual_, solved * allowed_), 64 * static_cast<double>(epsilon) * fastest_);
 }
@@ -391,8 +403,10 @@ bool Direct::solve(std::vector<Block>& blocks, const std::vector<Body>& bodies, 
   set_up(blocks, bodies, movers);
   const bool loops = holds_in_loops();
   if (loops) reconcile_biases();
+  const bool rest = begins_at_rest();
   for (Row& row : rows_)
-    row.limit = static_cast<double>(row.block->friction) * std::max(row.n.dot(row.lambda), 0.);
+    row.limit = rest ? std::numeric_limits<double>::infinity()
+                     : static_cast<double>(row.block->friction) * std::max(row.n.dot(row.lambda), 0.);
   double best = std::numeric_limits<double>::infinity();
   int best_round = 0, stiffenings = 0;
   double stiff = 1, lightest = std::numeric_limits<double>::infinity(), stiffness = 0, yields = 0;

@@ -65,6 +65,7 @@ class Direct {
   void set_up(std::vector<Block>&, const std::vector<Body>&, const std::vector<Mover>&);
   void place(const std::vector<Block>&, const std::vector<Mover>&);
   bool holds_in_loops() const;
+  bool begins_at_rest() const;
   void make_consistent(std::vector<V3>& x);
   void reconcile_biases();
   void leave_out_balanced();

@@ -40,6 +40,11 @@ struct PileSettings {
   /// that sweeps cannot take: with joints, or with other forces than gravity.
   int direct_points = 512;
 
+  /// Spheres alone are swept by themselves, fast and on any number of threads, if there are more than `few_spheres`, but for up
+  /// to `standing_spheres` that begin at rest and stand.
+  int few_spheres = 32;
+  int standing_spheres = 256;
+
   /// In the first step so are groups with at most this many that begin at rest and are found to stand: that is asked once, in
   /// at most `standing_work` operations for each of the points (engine/operations.h).
   int standing_points = 1 << 15;

@@ -38,9 +38,15 @@ SpherePile::SpherePile(const Model& model, Time dt, const PileSettings& settings
   set_kick();
 }
 
-// The sweeps are measured when somebody asks, after the last step: in every step that would cost a tenth of it.
+// Sweeps are measured in the last of so many steps, and after the last of all: in every step that would cost a tenth of it.
 std::vector<Diagnostic> SpherePile::diagnostics() const {
   DiagnosticLog log = log_;
+  if ((steps_ - first_) % steps_between_orders != 0) note_sweep(log);
+  return log.all();
+}
+
+// Of the step before now.
+void SpherePile::note_sweep(DiagnosticLog& log) const {
   Real fastest = 0;
   for (int i = 0; i < spheres_.count; ++i)
     for (int c = 0; c < 3; ++c) fastest = std::max(fastest, std::abs(spheres_.v(i)[c]));
@@ -48,7 +54,6 @@ std::vector<Diagnostic> SpherePile::diagnostics() const {
   if (const Real off = unmet(); off > 1024 * epsilon * fastest)
     log.note(DiagnosticKind::contacts_swept, static_cast<Time>(steps_ - 1) * dt_, settings_.substeps,
              static_cast<double>(off));
-  return log.all();
 }
 
 // Impacts that share a body and an instant, though they should have been resolved at once.
@@ -123,6 +128,7 @@ void SpherePile::step() {
                    [](const Impact& a, const Impact& b) { return a.time < b.time; });
   note_order();
   ++steps_;
+  if ((steps_ - first_) % steps_between_orders == 0) note_sweep(log_);
 }
 
 void SpherePile::advance_part(Time now, Time span) {
@@ -177,6 +183,15 @@ Real SpherePile::unmet() const {
       if (batch.a[lane] < spheres_.count) worst = std::max(worst, off[lane]);
   });
   return worst;
+}
+
+bool SpherePile::presses() const {
+  bool any = false;
+  found_.each([&](const auto& batch) {
+    for (int lane = 0; lane < lane_count; ++lane)
+      any = any || (batch.a[lane] < spheres_.count && batch.impulse[lane] > 0);
+  });
+  return any;
 }
 
 // The impulses of one part of the step.

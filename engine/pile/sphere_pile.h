@@ -19,6 +19,12 @@ class SpherePile : public Stepper {
   std::vector<Diagnostic> diagnostics() const override;
   std::int64_t operations() const override { return work_; }
 
+  /// Whether a contact pressed in the last part of the last step, impacts apart.
+  bool presses() const;
+
+  /// What diagnostics() tells but for the sweeps of the last step.
+  const DiagnosticLog& log() const { return log_; }
+
   /// Pairs within reach of each other in the last step.
   std::size_t pairs() const { return found_.pairs(); }
 
@@ -36,6 +42,7 @@ class SpherePile : public Stepper {
   void add_pressed();
   void note_pressed();
   void note_order();
+  void note_sweep(DiagnosticLog&) const;
   Real unmet() const;
 
   Model model_;
