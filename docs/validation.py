@@ -35,8 +35,8 @@ pendulums = {
 # Predictions with values of the fit above them, of the first of its engines.
 fitted = {"single": ["inertia 1", "damping 1"]}
 # Runs of which a band is made, 39 predictions of each, and runs of data that the engine itself made: few where predictions are dear.
-bands = {"in-house/path=stepping": (275, 100)} | dict.fromkeys(["bullet", "ode", "ode/friction-direction=slip"], (275, 275)) | {
-    "jolt": (30, 30), "physx": (20, 20), "crashcat": (20, 20)}
+bands = {"in-house/path=stepping": (275, 100)} | dict.fromkeys(["bullet", "ode", "ode/friction-direction=slip"], (275, 275)) | dict.fromkeys(
+    ["bullet/two-friction-directions=on", "dart", "jolt", "havok/path=stand-in", "crashcat", "cannon-es/path=stand-in"], (275, 100)) | dict.fromkeys(["rapier", "physx"], (100, 100))
 # Runs and folds of the cross-validation of the cube, and the engines.
 crossed = (["--runs", "12", "--folds", "2"], ["in-house/path=stepping", "bullet"])
 tables = ["levels", "tosses", "lengths", "bands", "cube fit", "cube folds", "validation", *pendulums, *(f"{arms} fit" for arms in pendulums),
