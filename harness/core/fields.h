@@ -461,23 +461,25 @@ struct Element<Material> {
   static constexpr std::string_view name = "material";
   static constexpr std::string_view meaning =
       "What happens where a pair touches; all numbers are of the pair.";
-  static constexpr std::tuple fields{Field{"between",
-                                           &Material::between,
-                                           {.required = true,
-                                            .meaning = "Two names of bodies, planes or generators; \"*\" "
-                                                       "matches all, an exact pair wins over a pattern."}},
-                                     Field{"restitution",
-                                           &Material::restitution,
-                                           {.range = unit_interval,
-                                            .required = true,
-                                            .tunable = true,
-                                            .meaning = "Coefficient of restitution."}},
-                                     Field{"friction",
-                                           &Material::friction,
-                                           {.range = not_negative,
-                                            .required = true,
-                                            .tunable = true,
-                                            .meaning = "Coulomb's coefficient, static and kinetic."}}};
+  static constexpr std::tuple fields{
+      Field{"between",
+            &Material::between,
+            {.required = true,
+             .meaning = "Two names of bodies, planes or generators; \"*\" "
+                        "matches all, an exact pair wins over a pattern. Two patterns that "
+                        "match one pair say the same."}},
+      Field{"restitution",
+            &Material::restitution,
+            {.range = unit_interval,
+             .required = true,
+             .tunable = true,
+             .meaning = "Coefficient of restitution."}},
+      Field{"friction",
+            &Material::friction,
+            {.range = not_negative,
+             .required = true,
+             .tunable = true,
+             .meaning = "Coulomb's coefficient, static and kinetic."}}};
 };
 template <>
 struct Element<Frame> {

@@ -14,8 +14,8 @@ std::int64_t whole_steps(double duration, double dt) {
   const double ratio = duration / dt, steps = std::round(ratio);
   if (std::abs(ratio - steps) > 1e-9 * std::max(1.0, ratio) || (steps == 0 && duration > 0))
     throw std::invalid_argument(
-        fmt::format("{} s is not a whole number of steps of {} s; the nearest step that fits is {} s",
-                    duration, dt, duration / std::max(1.0, steps)));
+        fmt::format("{} s is not a whole number of steps of {} s; nearest: {:.12g} s, or steps of {} s",
+                    duration, dt, std::max(1.0, steps) * dt, duration / std::max(1.0, steps)));
   if (steps > 9e15) throw std::invalid_argument(fmt::format("{} steps are too many", steps));
   return static_cast<std::int64_t>(steps);
 }

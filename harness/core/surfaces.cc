@@ -92,22 +92,33 @@ Surfaces surfaces(const Scene& scene) {
   result.count = static_cast<int>(representatives.size());
 
   const int fallback = find(partners_of("*"), "*");
-  const auto row_of = [&](const std::string& a, const std::string& b) {
+  const auto row = [&](int k) -> const Material& { return scene.materials[static_cast<std::size_t>(k)]; };
+  const auto decide = [&](const std::string& a, const std::string& b) {
     const Partners &of_a = partners_of(a), &of_b = partners_of(b);
-    if (const int exact = find(of_a, b); exact >= 0) return exact;
-    if (const int half = first_of(find(of_a, "*"), find(of_b, "*")); half >= 0) return half;
-    return fallback;
+    if (const int exact = find(of_a, b); exact >= 0) return std::pair(exact, false);
+    const int one = find(of_a, "*"), other = find(of_b, "*");
+    if (one < 0 && other < 0) return std::pair(fallback, false);
+    const bool disputed =
+        one >= 0 && other >= 0 &&
+        (row(one).restitution != row(other).restitution || row(one).friction != row(other).friction);
+    return std::pair(first_of(one, other), disputed);
   };
-  result.table.resize(representatives.size() * representatives.size());
-  for (std::size_t a = 0; a < representatives.size(); ++a)
-    for (std::size_t b = 0; b <= a; ++b)
-      result.table[a * representatives.size() + b] = result.table[b * representatives.size() + a] =
-          row_of(representatives[a], representatives[b]);
+  const std::size_t count = representatives.size();
+  result.table.resize(count * count), result.disputed.resize(count * count);
+  for (std::size_t a = 0; a < count; ++a)
+    for (std::size_t b = 0; b <= a; ++b) {
+      const auto [material, disputed] = decide(representatives[a], representatives[b]);
+      result.table[a * count + b] = result.table[b * count + a] = material;
+      result.disputed[a * count + b] = result.disputed[b * count + a] = disputed;
+    }
   return result;
 }
 
-std::optional<Pair> pair_without_material(const Scene& scene) {
-  const Surfaces classes = surfaces(scene);
+namespace {
+
+// The first of touching_pairs of whose classes that holds.
+template <class Holds>
+std::optional<Pair> first_pair(const Scene& scene, const Surfaces& classes, const Holds& holds) {
   const CollisionFilters filters(scene);
   struct Members {
     int moving = 0, all = 0, planes = 0;
@@ -122,26 +133,42 @@ std::optional<Pair> pair_without_material(const Scene& scene) {
   }
   for (std::size_t i = 0; i < scene.planes.size(); ++i)
     ++kinds[{classes.of_plane[i], filters.of_plane[i]}].planes;
-  const auto lacks = [&](const auto& a, const auto& b) {
+  const auto found_in = [&](const auto& a, const auto& b) {
     const auto& [class_a, filter_a] = a.first;
     const auto& [class_b, filter_b] = b.first;
-    if (a.second.moving == 0 || classes.material(class_a, class_b) >= 0 || !may_meet(filter_a, filter_b))
-      return false;
+    if (a.second.moving == 0 || !holds(class_a, class_b) || !may_meet(filter_a, filter_b)) return false;
     return b.second.all > (&a == &b ? 1 : 0) || b.second.planes > 0;
   };
-  const bool missing = std::any_of(kinds.begin(), kinds.end(), [&](const auto& a) {
-    return std::any_of(kinds.begin(), kinds.end(), [&](const auto& b) { return lacks(a, b); });
+  const bool any = std::any_of(kinds.begin(), kinds.end(), [&](const auto& a) {
+    return std::any_of(kinds.begin(), kinds.end(), [&](const auto& b) { return found_in(a, b); });
   });
-  if (!missing) return std::nullopt;
+  if (!any) return std::nullopt;
   std::optional<Pair> found;
   any_touching_pair(scene, [&](const Pair& pair) {
     const int one = classes.of_body[static_cast<std::size_t>(pair.body)];
     const int other = pair.plane >= 0 ? classes.of_plane[static_cast<std::size_t>(pair.plane)]
                                       : classes.of_body[static_cast<std::size_t>(pair.other)];
-    if (classes.material(one, other) < 0) found = pair;
+    if (holds(one, other)) found = pair;
     return found.has_value();
   });
   return found;
+}
+
+}  // namespace
+
+std::optional<Pair> pair_without_material(const Scene& scene) {
+  const Surfaces classes = surfaces(scene);
+  return first_pair(scene, classes, [&](int a, int b) { return classes.material(a, b) < 0; });
+}
+
+std::optional<UnclearPair> unclear_pair(const Scene& scene) {
+  const Surfaces classes = surfaces(scene);
+  for (const bool disputed : {false, true})
+    if (const auto pair = first_pair(scene, classes, [&](int a, int b) {
+          return disputed ? classes.is_disputed(a, b) : classes.material(a, b) < 0;
+        }))
+      return UnclearPair{*pair, disputed};
+  return std::nullopt;
 }
 
 }  // namespace cylon::core

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
+#include <string>
+#include <vector>
 
 namespace cylon::input {
 namespace {
@@ -50,6 +53,31 @@ void look_through(std::string_view text, const Visit& visit) {
   }
 }
 
+// Remembers the keys of all objects that are open.
+struct KeysOnce : nlohmann::json_sax<nlohmann::json> {
+  std::vector<std::set<std::string>> open;
+
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+  bool start_object(std::size_t) override { return open.emplace_back(), true; }
+  bool end_object() override { return open.pop_back(), true; }
+  bool start_array(std::size_t) override { return true; }
+  bool end_array() override { return true; }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override {
+    return false;
+  }
+  bool key(string_t& name) override {
+    if (!open.back().insert(name).second)
+      throw BadJson(0, "the key " + shown(nlohmann::json(name)) + " twice in one object");
+    return true;
+  }
+};
+
 }  // namespace
 
 std::size_t memory_of(std::string_view text) {
@@ -70,6 +98,11 @@ void require_bounded(std::string_view text, std::size_t most) {
       throw BadJson(i + 1, "values that take more than " + std::to_string(most / 1'000'000) +
                                " MB of memory at byte " + std::to_string(i + 1));
   });
+}
+
+void require_unique_keys(std::string_view text) {
+  KeysOnce keys;
+  nlohmann::json::sax_parse(text, &keys);
 }
 
 }  // namespace cylon::input

@@ -45,6 +45,10 @@ Json parse_json(std::string_view text) {
   }
 }
 
+/// Throws BadJson where an object of the text has a key twice: parsers take the last and say nothing.  Requires that the text is
+/// what parse_json() takes.
+void require_unique_keys(std::string_view text);
+
 /// The value in an error message: a scalar as JSON, a text cut to 60 bytes; of what holds others only how
 /// many.
 template <class Json>

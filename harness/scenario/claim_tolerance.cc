@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -26,6 +27,14 @@ void require_power(const Table& t, const Claim& claim, const core::Scene& scene)
     t.fail("level",
            fmt::format("level = {}, but with so few bodies no value is that unlikely; valid: {:.2g} or more",
                        claim.tolerance.level, 2 * core::chance_of_share(claim.observable, scene, farthest)));
+}
+
+// How far the truth is from the scene at the start, where nothing has moved yet.
+double off_at_start(const Claim& claim, const core::Scene& scene) {
+  core::Values known, given;
+  core::evaluate(claim.observable, scene, claim.truth->state(0), known);
+  core::evaluate(claim.observable, scene, core::initial_state(scene), given);
+  return core::distance(claim.observable, known, given);
 }
 
 }  // namespace
@@ -112,6 +121,15 @@ void check_tolerance(const Table& t, Claim& claim, const core::Scene& scene, dou
         "tolerance: '{}' is itself only good to {:.3g} {}, but a tenth of the {:.3g} allowed is needed; "
         "valid: {:.3g} or more",
         claim.follows, error, core::unit(claim.observable), allowed, 10 * error));
+  const bool recorded = !claim.truth->times.empty() && claim.truth->times.front() == 0;
+  if (!recorded || claim.observable.quantity == core::Quantity::event || claim.reduction == Reduction::rate)
+    return;
+  const double off = off_at_start(claim, scene);
+  if (!(off <= (claim.reduction == Reduction::mean_square ? std::sqrt(allowed) : allowed)))
+    t.fail("follows",
+           fmt::format("follows: {} starts {:.3g} {} from where the scene does, and {:.3g} are allowed: no "
+                       "engine can follow it",
+                       claim.follows, off, core::unit(claim.observable), allowed));
 }
 
 }  // namespace cylon::scenario

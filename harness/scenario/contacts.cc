@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <string>
 #include <utility>
 
 namespace cylon::scenario {
@@ -39,17 +41,26 @@ std::vector<std::string> resolve(const Table& t, const Draft& draft, const std::
                                 core::did_you_mean(name, names)));
 }
 
-void require_materials(const Draft& draft) {
+// `patterns`: where a name and "*" were written, by the name.
+void require_materials(const Draft& draft, const std::map<std::string, Table>& patterns) {
   const core::Scene& scene = draft.scene;
-  const std::optional<core::Pair> pair = core::pair_without_material(scene);
-  if (!pair) return;
-  const auto body = static_cast<std::size_t>(pair->body);
-  const std::string& other = pair->plane >= 0 ? scene.planes[static_cast<std::size_t>(pair->plane)].name
-                                              : scene.bodies[static_cast<std::size_t>(pair->other)].name;
+  const std::optional<core::UnclearPair> unclear = core::unclear_pair(scene);
+  if (!unclear) return;
+  const core::Pair& pair = unclear->pair;
+  const auto body = static_cast<std::size_t>(pair.body);
+  const std::string& one = scene.bodies[body].name;
+  const std::string& other = pair.plane >= 0 ? scene.planes[static_cast<std::size_t>(pair.plane)].name
+                                             : scene.bodies[static_cast<std::size_t>(pair.other)].name;
+  if (unclear->disputed)
+    patterns.at(other).fail(
+        "between",
+        fmt::format("between: '{0}' and '{1}' may touch, and [\"{0}\", \"*\"] and [\"{1}\", \"*\"] "
+                    "say other numbers; add between = [\"{0}\", \"{1}\"]",
+                    one, other));
   draft.origin[body].fail(
       fmt::format("'{0}' and '{1}' may touch, but no [[material]] says how; add between = [\"{0}\", "
                   "\"{1}\"], collide = false or collision_mask",
-                  scene.bodies[body].name, other));
+                  one, other));
 }
 
 double size_of(const Vector3& p) { return std::max(1.0, p.cwiseAbs().maxCoeff()); }
@@ -57,7 +68,7 @@ double size_of(const Vector3& p) { return std::max(1.0, p.cwiseAbs().maxCoeff())
 void refuse_overlapping_spheres(Draft& draft) {
   const auto& bodies = draft.scene.bodies;
   SphereGrid locked, free;
-  const core::CollisionFilters filters(draft.scene);
+  const core::ContactRules rules(draft.scene);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const auto* sphere = std::get_if<core::Sphere>(&bodies[i].shape);
     if (!sphere || !bodies[i].collide) continue;
@@ -66,7 +77,7 @@ void refuse_overlapping_spheres(Draft& draft) {
       return sphere->radius + radius - (bodies[i].initial.position - that.initial.position).norm();
     };
     const auto meets = [&](int other, const Vector3&, double radius) {
-      if (!may_meet(filters.of_body[i], filters.of_body[static_cast<std::size_t>(other)])) return false;
+      if (!rules.bodies(static_cast<int>(i), other)) return false;
       const double size = std::min(size_of(bodies[i].initial.position),
                                    size_of(bodies[static_cast<std::size_t>(other)].initial.position));
       return overlap(other, radius) > overlap_allowed * size;
@@ -116,6 +127,7 @@ void read_materials(const Table& root, Draft& draft) {
     if (draft.planes.contains(draft.scene.bodies[i].name))
       draft.origin[i].fail("name", fmt::format("name '{}' is taken by a plane", draft.scene.bodies[i].name));
   std::set<std::pair<std::string, std::string>> stated;
+  std::map<std::string, Table> patterns;
   for (const Table& t : root.tables("material")) {
     auto material = read_element<core::Material>(t, draft);
     const std::string between[] = {material.between[0], material.between[1]};
@@ -141,11 +153,12 @@ void read_materials(const Table& root, Draft& draft) {
           if (between[0] == between[1]) continue;  // a generator with itself names each pair twice
           t.fail("between", fmt::format("the pair '{}', '{}' has a material already", a, b));
         }
+        if ((a == "*") != (b == "*")) patterns.emplace(a == "*" ? b : a, t);
         material.between[0] = a, material.between[1] = b;
         draft.scene.materials.push_back(material);
       }
   }
-  require_materials(draft);
+  require_materials(draft, patterns);
 }
 
 void refuse_overlaps(Draft& draft) {
@@ -158,11 +171,11 @@ void refuse_overlaps(Draft& draft) {
     draft.origin.back().fail(fmt::format(
         "bodies, their points and {} planes are too many to look for overlaps", scene.planes.size()));
   const core::State state = core::initial_state(scene);
-  const core::CollisionFilters filters(scene);
+  const core::ContactRules rules(scene);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     if (!scene.bodies[i].collide || scene.bodies[i].locked) continue;
     for (std::size_t p = 0; p < scene.planes.size(); ++p) {
-      if (!may_meet(filters.of_body[i], filters.of_plane[p])) continue;
+      if (!rules.body_and_plane(static_cast<int>(i), static_cast<int>(p))) continue;
       const double gap = core::gap(scene, {static_cast<int>(i), core::world, static_cast<int>(p)}, state);
       if (gap < -overlap_allowed * size_of(scene.bodies[i].initial.position))
         draft.origin[i].fail(

@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace cylon::scenario {
 namespace {
@@ -62,6 +65,22 @@ void check(const Table& t, const Draft& draft, const core::PluginForce& force) {
                                    draft.scene.bodies[static_cast<std::size_t>(force.bodies[i])].name));
 }
 
+// The masses of bodies change evenly; those of locked ones do not.
+void require_mass_to_the_end(const std::vector<std::pair<Table, core::Thrust>>& thrusts,
+                             const core::Scene& scene, double duration) {
+  std::map<int, double> rates;
+  for (const auto& [t, thrust] : thrusts) rates[thrust.body] += thrust.mass_rate;
+  for (const auto& [t, thrust] : thrusts) {
+    const core::Body& body = scene.bodies[static_cast<std::size_t>(thrust.body)];
+    const double rate = rates[thrust.body];
+    if (body.locked || !(thrust.mass_rate < 0) || body.mass + rate * duration > 0) continue;
+    t.fail("mass_rate",
+           fmt::format("mass_rate = {}: of '{}' nothing is left at t = {} s; valid: a mass above 0 until the "
+                       "end, at {} s",
+                       thrust.mass_rate, body.name, body.mass / -rate, duration));
+  }
+}
+
 // What holds for every kind: two ends are two bodies, and the force is finite at the start.
 template <class Kind>
 void check_any(const Table& t, const Draft& draft, const core::State& start, const Kind& force) {
@@ -80,6 +99,7 @@ void check_any(const Table& t, const Draft& draft, const core::State& start, con
 void read_forces(const Table& root, Draft& draft) {
   auto& forces = draft.scene.forces;
   core::State start;
+  std::vector<std::pair<Table, core::Thrust>> thrusts;
   core::for_each_force([&]<class Kind>() {
     constexpr std::string_view name = core::Element<Kind>::name;
     if constexpr (std::is_same_v<Kind, core::UniformGravity>) {
@@ -90,10 +110,12 @@ void read_forces(const Table& root, Draft& draft) {
         auto force = read_element<Kind>(t, draft);
         check_any(t, draft, start, force);
         if constexpr (requires { check(t, draft, force); }) check(t, draft, force);
+        if constexpr (std::is_same_v<Kind, core::Thrust>) thrusts.emplace_back(t, force);
         forces.emplace_back(std::move(force));
       }
     }
   });
+  require_mass_to_the_end(thrusts, draft.scene, root.number("duration"));
 }
 
 }  // namespace cylon::scenario

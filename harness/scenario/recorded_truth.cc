@@ -82,7 +82,8 @@ struct Reader {
     if (!body[key].is_array() || body[key].size() != times)
       fail(fmt::format("{} must hold {} rows, one per time", name, times));
     std::vector<std::vector<double>> rows;
-    for (const Json& row : body[key]) rows.push_back(numbers(row, width, name));
+    for (const Json& row : body[key])
+      rows.push_back(numbers(row, width, fmt::format("{}[{}]", name, rows.size())));
     return rows;
   }
 };
@@ -102,7 +103,9 @@ constexpr const char* event_read[] = {"kind",  "body",   "to",       "plane", "t
 
 Json parsed(std::string_view text, const Reader& reader) {
   try {
-    return input::parse_json(text);
+    Json root = input::parse_json(text);
+    input::require_unique_keys(text);
+    return root;
   } catch (const input::BadJson& error) {
     reader.fail(error.what());
   }
@@ -213,7 +216,8 @@ core::Event read_event(const Reader& reader, const Json& row, const SceneNames& 
 }
 
 // Counted per kind and pair, in order of time.
-std::vector<core::Event> read_events(const Reader& reader, const Json& root, const SceneNames& names) {
+std::vector<core::Event> read_events(const Reader& reader, const Json& root, const SceneNames& names,
+                                     double until) {
   std::vector<core::Event> events;
   if (!root.contains("events")) return events;
   if (!root["events"].is_array()) reader.fail("'events' must be an array");
@@ -226,6 +230,9 @@ std::vector<core::Event> read_events(const Reader& reader, const Json& root, con
       continue;  // a note in words of its own, {"type": …, "t": …}
     reader.only(row, "events.", event_read);
     core::Event event = read_event(reader, row, names);
+    if (!(event.time >= 0 && event.time <= until * (1 + 1e-9)))
+      reader.fail(
+          fmt::format("events: time = {} is not within [0, {}] s, the times of the file", event.time, until));
     if (!events.empty() && event.time < events.back().time)
       reader.fail(fmt::format("events: time = {} comes after {}", event.time, events.back().time));
     int& count = counts[{event.kind, event.pair.body, event.pair.other, event.pair.plane}];
@@ -309,7 +316,7 @@ core::Truth parse_truth(std::string_view json, const std::string& file, const co
   if (!root.contains("events")) truth.events_until = 0;
   truth.error = error_of(*states, difference);
   truth.source = "recorded: " + file;
-  truth.events = read_events(reader, root, names);
+  truth.events = read_events(reader, root, names, times->back());
   truth.error.time = difference + 0x1p-53 * truth.horizon;
   truth.state = [times, states](double t) {
     const auto next = std::lower_bound(times->begin(), times->end(), t - 1e-9 * (1 + std::abs(t)));

@@ -68,7 +68,11 @@ Scenario read(std::string_view text, const std::string& file_name) {
   draft.content.add(text);
   const auto& rules = core::Words<core::Impacts>::list;
   draft.scene.impacts = root.choice("impacts", {rules.begin(), rules.end()}, draft.scene.impacts);
-  if (const auto frame = root.table("frame")) draft.scene.frame = read_element<core::Frame>(*frame, draft);
+  if (const auto frame = root.table("frame")) {
+    draft.scene.frame = read_element<core::Frame>(*frame, draft);
+    if (frame->has("frequency") && !frame->has("acceleration"))
+      frame->fail("frequency", "frequency: how often 'acceleration' changes, of which there is none");
+  }
   read_planes(root, draft);  // before the bodies: clouds keep clear of them
   read_bodies(root, draft);
   read_forces(root, draft);

@@ -209,6 +209,26 @@ double error_from(const Start& start, const Setting& setting, std::int64_t steps
   return ran.point.errors.empty() ? std::nan("") : ran.point.errors[start.by];
 }
 
+// A cost nearer than that to the least is as low: two timings of one setting differ by so much.
+constexpr double as_cheap = 1.05;
+
+// Of those that are as cheap as the cheapest the one first that needs the fewest options: what gains nothing is not advised.
+void put_cheapest_first(std::vector<Pick>& picks) {
+  std::stable_sort(picks.begin(), picks.end(), [](const Pick& a, const Pick& b) { return a.cost < b.cost; });
+  const auto tied = std::find_if(picks.begin(), picks.end(), [&](const Pick& pick) {
+    return !(pick.cost <= as_cheap * picks.front().cost);
+  });
+  const auto options = [](const Pick& pick) {
+    const std::size_t variant = pick.engine.find('/');
+    return variant == std::string::npos
+               ? 0
+               : 1 + std::count(pick.engine.begin() + static_cast<std::ptrdiff_t>(variant), pick.engine.end(),
+                                ',');
+  };
+  std::stable_sort(picks.begin(), tied,
+                   [&](const Pick& a, const Pick& b) { return options(a) < options(b); });
+}
+
 // Why a pick has no cost, by pick.
 std::map<const Pick*, std::string> time_picks(const std::vector<Pick*>& picks, const core::Scene& scene,
                                               const std::vector<Setting>& settings, double duration,
@@ -288,8 +308,7 @@ std::vector<EngineAdvice> advise(const std::vector<Start>& starts, const std::ve
     if (advice[e].ten_times && failed.contains(&*advice[e].ten_times)) advice[e].ten_times.reset();
     std::erase_if(picks[e], [&](const Pick& pick) { return failed.contains(&pick); });
     if (picks[e].empty() && !advice[e].reason.empty()) advice[e].best.reset();
-    std::stable_sort(picks[e].begin(), picks[e].end(),
-                     [](const Pick& a, const Pick& b) { return a.cost < b.cost; });
+    put_cheapest_first(picks[e]);
     if (!picks[e].empty()) advice[e].pick = picks[e][0];
     if (picks[e].size() > 1) advice[e].runner_up = picks[e][1];
     advice[e].over_budget = options.budget > 0 && advice[e].pick && !(advice[e].pick->cost <= options.budget);

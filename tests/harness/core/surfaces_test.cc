@@ -76,6 +76,28 @@ TEST(Surfaces, AgreeWithMaterialOf) {
   }
 }
 
+// Two patterns of one pair: which counts must not depend on their order.
+TEST(Surfaces, FindPairsOfWhichTwoPatternsSayOtherNumbers) {
+  Scene scene;
+  for (const char* name : {"a", "b", "c"}) scene.bodies.push_back(ball(name));
+  scene.planes = {{.name = "floor"}};
+  scene.materials = {row("*", "*", 0.1), row("a", "*", 0.2), row("*", "floor", 0.2)};
+  EXPECT_FALSE(unclear_pair(scene));  // the same numbers
+  scene.materials[2].restitution = 0.3;
+  const auto found = unclear_pair(scene);
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->disputed);
+  EXPECT_EQ(found->pair, (Pair{0, world, 0}));
+  scene.materials.push_back(row("a", "floor", 0.4));
+  EXPECT_FALSE(unclear_pair(scene));
+  scene.materials.pop_back();
+  scene.bodies[0].collision_groups = {"x"}, scene.planes[0].collision_mask = {"default"};
+  EXPECT_FALSE(unclear_pair(scene));  // they never touch
+  scene.materials = {row("a", "*", 0.2)};
+  ASSERT_TRUE(unclear_pair(scene));
+  EXPECT_FALSE(unclear_pair(scene)->disputed);
+}
+
 // 10^5 bodies of which every second was named in a material of its own, all with the same numbers.
 TEST(Surfaces, AreMergedForEqualMaterials) {
   Scene scene;

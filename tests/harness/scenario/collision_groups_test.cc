@@ -57,6 +57,16 @@ TEST(CollisionGroups, OverlapOnlyWhereTheyMeet) {
   EXPECT_EQ(refusal(head + ball("x", 0, ghost) + floor + material), "");
 }
 
+// Neighbours in a mechanism do not touch each other, and were refused where both are spheres.
+TEST(CollisionGroups, SpheresThatAJointTiesMayOverlap) {
+  const std::string material = "[[material]]\nbetween = [\"*\", \"*\"]\nrestitution = 1\nfriction = 0\n";
+  const std::string both = head + ball("x", 0) + ball("y", 0.9) + material;
+  EXPECT_NE(refusal(both).find("overlap by 0.09999"), std::string::npos);
+  const std::string joint = "[[joint]]\ntype = \"ball\"\nbody = \"y\"\nto = \"x\"\npoint = [0, 0.5, 0]\n";
+  EXPECT_EQ(refusal(both + joint), "");
+  EXPECT_NE(refusal(both + ball("z", 1.8) + joint).find("'y' and 'z' overlap"), std::string::npos);
+}
+
 TEST(CollisionGroups, OfGeneratorsAreThoseOfTheirBodies) {
   const core::Scene scene =
       parse(head +

@@ -192,6 +192,14 @@ std::vector<Bad> bad() {
        "[[drag]] needs 'linear', 'angular' or 'momentum'"},
       {"thrust_both", ball + "[[thrust]]\nbody = \"ball\"\nforce = [1, 0, 0]\nmass_rate = -1\n",
        "[[thrust]] needs either 'force' or 'mass_rate'"},
+      {"mass_used_up",
+       ball + "[[thrust]]\nbody = \"ball\"\nmass_rate = -0.5\nexhaust_velocity = [1, 0, 0]\n"
+              "[[thrust]]\nbody = \"ball\"\nmass_rate = -0.75\nexhaust_velocity = [0, 1, 0]\n",
+       "bad.toml:8:13: mass_rate = -0.5: of 'ball' nothing is left at t = 0.8 s; valid: a mass above 0 until "
+       "the end, "
+       "at 1 s"},
+      {"frequency_of_nothing", ball + "[frame]\nfrequency = 3\n",
+       "bad.toml:7:13: frequency: how often 'acceleration' changes, of which there is none"},
       {"rocket_no_exhaust", ball + "[[thrust]]\nbody = \"ball\"\nmass_rate = -1\n",
        "mass_rate needs either 'exhaust_velocity'"},
       {"attraction_self", ball + "[[attraction]]\nbody = \"ball\"\nto = \"ball\"\nstrength = 1\n",
@@ -239,6 +247,13 @@ std::vector<Bad> bad() {
            "[[material]]\nbetween = [\"ball\", \"floor\"]\nrestitution = 1\nfriction = "
            "0\n[[material]]\nbetween = [\"floor\", \"ball\"]\nrestitution = 1\nfriction = 0\n",
        "bad.toml:15:11: the pair 'floor', 'ball' has a material already"},
+      {"two_patterns",
+       sphere + floor_plane +
+           "[[material]]\nbetween = [\"ball\", \"*\"]\nrestitution = 1\nfriction = "
+           "0\n[[material]]\nbetween = [\"*\", \"floor\"]\nrestitution = 0\nfriction = 0\n",
+       "bad.toml:15:11: between: 'ball' and 'floor' may touch, and [\"ball\", \"*\"] and [\"floor\", \"*\"] "
+       "say "
+       "other numbers; add between = [\"ball\", \"floor\"]"},
       {"plane_normal", sphere + floor_plane + "normal = [0, 2, 0]\n",
        "bad.toml:10:10: normal = [0, 2, 0] has the norm 2, but must be a unit vector within 1e-9; "
        "normalised: [0, 1, 0]"},

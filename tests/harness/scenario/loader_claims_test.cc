@@ -134,6 +134,21 @@ TEST(Claims, RecordedDataMustHaveWhatIsClaimed) {
   }
 }
 
+// Every engine failed, by 100 m, before its first step.
+TEST(Claims, RecordedDataStartsWhereTheSceneDoes) {
+  const TemporaryFolder own;
+  std::ofstream(own.path() / "elsewhere.json")
+      << R"({"schema":"truth/1","bodies":[{"id":"body"}],"t":["0","0.8"],)"
+      << R"("trajectory":{"body":{"position":[["0","101","0"],["3","0","1"]]}}})";
+  const auto error = [&](const std::string& allowed) {
+    return error_of(head + "[[claim]]\nfollows = { file = \"elsewhere.json\" }\nobservable = \"position\"\n" +
+                        "tolerance = { absolute = " + allowed + ", reason = \"r\" }\n",
+                    (own.path() / "scene.toml").string());
+  };
+  EXPECT_NE(error("1").find("follows: elsewhere.json starts 10"), std::string::npos) << error("1");
+  EXPECT_EQ(error("110"), "");
+}
+
 TEST(Claims, OneSidedMeasuresAreOfNumbers) {
   const std::string t = "tolerance = { relative = 0.1, reason = \"r\" }\n";
   const auto s = parse(head + "[[claim]]\nconserves = \"energy\"\nmeasure = \"increase\"\n" + t +
@@ -324,6 +339,13 @@ TEST(Claims, RecordedDataHasNoUnknownKeysAndNoNegativeBound) {
       {R"("events":[{"kind":"turn","body":"body","time":0,"sped":1}],)", "",
        "d.json: unknown key 'events.sped' = 1, did you mean 'speed'?"},
       {"", R"(,"velocty":[])", "d.json: unknown key 'trajectory.body.velocty' = an array of 0, did you mean"},
+      {R"("events":[{"kind":"turn","body":"body","time":-1}],)", "",
+       "d.json: events: time = -1 is not within [0, 0] s, the times of the file"},
+      {R"("events":[{"kind":"turn","body":"body","time":2}],)", "",
+       "d.json: events: time = 2 is not within [0, 0] s, the times of the file"},
+      {R"("agreement":{"max_abs_diff":5,"max_abs_diff":0},)", "",
+       R"(d.json: the key "max_abs_diff" twice in one object)"},
+      {"", R"(,"velocity":[[1,null,2]])", "d.json: trajectory.body.velocity[0] holds null"},
       {"", R"(},"other":{)", "d.json: unknown key 'trajectory.other': 'bodies' has no such id"},
   };
   for (const auto& c : cases)
