@@ -209,10 +209,14 @@ std::vector<Card> cards(const Source& source, const std::vector<Hit>& hits, cons
       else
         same->hits += card.hits;
     }
-  for (const EngineChoice& other : others) {
-    const process::KeptWorkers workers;
-    for (Card& card : kept) card.opinions.push_back(opinion_of(other, card, quarry.limits));
-  }
+  std::vector<std::vector<Opinion>> opinions(others.size());  // of each engine, by card
+  if (!kept.empty())
+    study::in_parallel(others.size(), quarry.jobs, [&](std::size_t i) {
+      const process::KeptWorkers workers;
+      for (const Card& card : kept) opinions[i].push_back(opinion_of(others[i], card, quarry.limits));
+    });
+  for (const std::vector<Opinion>& of_engine : opinions)
+    for (std::size_t k = 0; k < of_engine.size(); ++k) kept[k].opinions.push_back(of_engine[k]);
   return kept;
 }
 
