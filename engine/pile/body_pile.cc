@@ -4,6 +4,7 @@
 #include "engine/free_rotation.h"
 #include "engine/joint.h"
 #include "engine/joint_points.h"
+#include "engine/pile/spheres.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,6 +77,7 @@ BodyPile::BodyPile(const Model& model, Time dt, const PileSettings& settings, st
                                 [](const CoordinateLaw& law) { return law.armature != 0; });
   laws_ = model.forces.coordinate_laws.size();
   implicit_ = stiff > 0;
+  spheres_ = only_spheres(model);
   if (stiff > 0) log_.note(DiagnosticKind::joint_forces_implicit, start, static_cast<double>(stiff));
   changing_ = masses_.any() || std::ranges::any_of(model_.forces.frame_forces, [](const FrameForce& frame) {
                 return !frame.angular_acceleration.isZero(0);

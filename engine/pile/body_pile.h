@@ -176,7 +176,8 @@ class BodyPile : public Stepper {
   std::size_t laws_ = 0;   // of the model that was given; rotors that stand by themselves come after them
   bool implicit_ = false;  // forces in joints are those of the end of a step
   bool rotors_ = false;
-  bool paired_ = false;  // a force acts between two bodies that move
+  bool spheres_ = false;  // all bodies are
+  bool paired_ = false;   // a force acts between two bodies that move
 };
 
 }  // namespace cylon::engine::pile

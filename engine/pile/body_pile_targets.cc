@@ -39,11 +39,12 @@ void BodyPile::set_targets(Time now, Real span, Real h) {
 }
 
 // Before the forces of the part, whose length is h: impacts one after another, where that was asked for and there are several.
-// Where a part is a leap, a group that gives nothing back stops when the surfaces meet.
+// Where a part is a leap, a group that gives nothing back stops when the surfaces meet.  Of other bodies than spheres, which meet
+// at many points and jam, what gives nothing back is solved at once: round after round leads dominoes out of their plane.
 void BodyPile::strike_in_turn(Time now, Real h, bool leaps) {
   if (model_.impacts != Impacts::sequential) return;
   if (std::none_of(blocks_.begin(), blocks_.end(), [](const Block& b) { return b.impact; })) return;
-  const InTurn::Part part = {h, std::max(4 * gravity_ * h, unsure_), leaps && !isolated_};
+  const InTurn::Part part = {h, std::max(4 * gravity_ * h, unsure_), leaps && !isolated_, spheres_};
   const std::vector<Group> all = divided_ ? std::vector<Group>() : find_groups(blocks_, movers_);
   for (const Group& group : divided_ ? groups_ : all) {
     const InTurn::Outcome outcome = in_turn_.strike(group, part, blocks_, model_.bodies, movers_, motions_);

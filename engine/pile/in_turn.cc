@@ -107,7 +107,7 @@ InTurn::Outcome InTurn::strike(const Group& group, const Part& part, std::vector
   const auto any = [&](const auto& is) {
     return std::any_of(group.blocks.begin(), group.blocks.end(), [&](int k) { return is(blocks[index(k)]); });
   };
-  const bool bounces = any([](const Block& b) { return b.is_one_sided() && b.restitution > 0; });
+  const bool bounces = part.dull || any([](const Block& b) { return b.is_one_sided() && b.restitution > 0; });
   if (!bounces || !any([](const Block& b) { return b.impact; })) return outcome;
 
   lists_.gather(group, blocks, bodies, movers, motions);

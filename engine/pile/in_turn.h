@@ -18,6 +18,7 @@ class InTurn {
     Real length;  ///< h [s].
     Real slow;    ///< Speeds up to this are no impact [m/s].
     bool stops;
+    bool dull;  ///< Also of a group in which nothing bounces.
   };
   struct Outcome {
     bool ordered = false;  ///< Another order might have done something else.

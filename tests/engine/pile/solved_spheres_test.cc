@@ -103,6 +103,21 @@ TEST(SolvedSpheres, MoveAlikeHoweverTheSceneIsTurned) {
   }
 }
 
+// Where nothing bounces impacts followed each other by events alone.
+TEST(SolvedSpheres, TakeDullImpactsInTurnAsEventsDo) {
+  Model model = pile_model(0, Real(0.1));
+  add_ball(model, 5, Real(0.15), {Real(-0.15), Real(0.15), Real(0.02)}, {Real(1.89), 0, 0});
+  add_ball(model, Real(0.3), Real(0.08), {Real(0.41), Real(0.08), Real(0.02)}, Vector3::Zero(), {13, -7, -3});
+  add_ball(model, 5, Real(0.1), {Real(0.79), Real(0.1), Real(0.02)}, Vector3::Zero(), {-5, 8, 4});
+  model.impacts = Impacts::sequential;
+  EventStepper events(model, *find_integrator("dop853"), 0.05, Real(1e-11));
+  const auto exact = after(events, 10);
+  const auto error = [&] { return farthest(after(*make_pile(model, 1. / 15360), 7680), exact); };
+  EXPECT_LT(error(), Real(1e-3));
+  model.impacts = Impacts::simultaneous;
+  EXPECT_GT(error(), Real(4e-3));
+}
+
 TEST(SolvedSpheres, ConvergeToEventsAtFirstOrder) {
   const Model model = row_that_is_hit();
   EventStepper events(model, *find_integrator("dop853"), 0.075, Real(1e-11));
