@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -26,6 +27,12 @@ void require_whole_steps(const Table& t, const char* key, double time, double st
   } catch (const std::invalid_argument& error) {
     t.fail(key, fmt::format("{} = {}: {}", key, time, error.what()));
   }
+}
+
+// A duration of few digits ends where its last step does: truths are not known beyond it.
+double end_of_steps(double duration, double step) {
+  const double end = static_cast<double>(core::whole_steps(duration, step)) * step;
+  return std::abs(end - duration) > 1e-12 * duration ? end : duration;
 }
 
 std::optional<Theory> read_theory(const Table& root, double duration, double step) {
@@ -61,6 +68,7 @@ Scenario read(std::string_view text, const std::string& file_name) {
   scenario.step = read_step(root);
   scenario.step_text = document->written(root, "step");
   require_whole_steps(root, "duration", scenario.duration, scenario.step);
+  scenario.duration = end_of_steps(scenario.duration, scenario.step);
   scenario.theory = read_theory(root, scenario.duration, scenario.step);
 
   Draft draft;

@@ -58,6 +58,23 @@ TEST(Loader, StepsAreKeptAsWritten) {
     EXPECT_THROW(scenario::parse_step(bad), core::InputError) << bad;
 }
 
+// Runs end at the last step, and a certified truth was not known there: an internal error.
+TEST(Loader, DurationsOfFewDigitsEndWithTheLastStep) {
+  const auto duration = [](const std::string& text) {
+    return parse("duration = " + text + "\nstep = \"1/240\"\n[[body]]\nname = \"a\"\nmass = 1\n", "a.toml")
+        .duration;
+  };
+  EXPECT_EQ(duration("2.08333333333"), 500 * (1. / 240));
+  EXPECT_EQ(duration("2.0833333333333"), 2.0833333333333);  // to rounding
+  EXPECT_EQ(duration("0.7"), 0.7);
+  const auto s = parse(
+      "duration = 2.08333333333\nstep = \"1/240\"\n[[body]]\nname = \"a\"\nmass = 1\nposition = [1, 0, 0]\n"
+      "[[spring]]\nbody = \"a\"\npin = [0, 0, 0]\nstiffness = 3\n[[claim]]\nfollows = \"certified\"\n"
+      "observable = \"position\"\ntolerance = { absolute = 1e-3, reason = \"r\" }\n",
+      "b.toml");
+  EXPECT_NO_THROW(s.claims[0].truth->state(500 * (1. / 240)));
+}
+
 TEST(Loader, ReadsEveryForceAndJoint) {
   const auto s = parse(head + R"(
 gravity = [0, 0, -1]
