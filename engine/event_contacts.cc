@@ -197,7 +197,8 @@ void EventStepper::strike_spots(Time now, std::vector<Spot>& touching) {
     work_ += outcome.rounds * solution(touches.size()) + outcome.operations;
     bool again = false;
     for (std::size_t i = 0; i < touches.size(); ++i) {
-      const Real u = rate_now(touches[i]);
+      // What its own bounce gave it: a blow elsewhere may have taken that, and gone on with it.
+      const Real u = std::max(rate_now(touches[i]), touches[i].restitution * outcome.approach[i]);
       // A pull that is rounding (of gyroscopic terms that cancel) brings nothing back.
       const bool pulled = static_cast<Real>(dt_) * pulls[i] >
                           std::max(rounding[i], speed_rounding(touches[i], bodies, motion));

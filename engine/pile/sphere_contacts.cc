@@ -159,10 +159,12 @@ void SphereContacts::prepare(const Spheres& spheres, Batch& batch, int used, int
   }
   const Lanes u_n = dot(batch.normal, v);
   const auto near = (gap > zero) & (gap + u_n * h < zero) & (u_n < spread(-2 * gravity_ * h));
-  if (bounces_ || any(near))
+  // What gives nothing back passes a blow on all the same; of many spheres that is left to the sweeps.
+  const bool all_pairs = spheres.count <= most_that_pass_on;
+  if (bounces_ || all_pairs || any(near))
     for (int lane = 0; lane < used; ++lane) {
       const Material& pair = material(spheres, batch.a[lane], batch.b[lane], Batch::plane);
-      if (near[lane] || pair.restitution > 0)
+      if (near[lane] || all_pairs || pair.restitution > 0)
         approaching.push_back({batch.a[lane], batch.b[lane] + (Batch::plane ? spheres.count : 0), pair});
     }
 

@@ -18,6 +18,8 @@ namespace cylon::engine::pile {
 class SphereContacts {
  public:
   static constexpr int block_size = 1024;
+  /// Up to so many spheres, impacts without restitution are passed on at their instant.
+  static constexpr int most_that_pass_on = 256;
 
   SphereContacts(const Model&, Threads&);
 

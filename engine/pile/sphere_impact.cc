@@ -58,6 +58,8 @@ SphereImpacts::Meeting SphereImpacts::meeting(const Approaching& pair, const Sph
   if (!(t >= 0 && (t <= span || (falls && (t - span) * m.approach <= gravity_ * span * span)))) return {};
   // slower than the rounding of the velocities is rest
   if (m.approach <= 16 * epsilon * (Row(va).norm() + v_b.norm())) return {};
+  // nor is what gravity brings: a contact takes that
+  if (pair.material.restitution == 0 && m.approach <= 2 * gravity_ * span) return {};
   if (va[3] + inverse_b <= 0) return {};
   m.time = t;
   return m;

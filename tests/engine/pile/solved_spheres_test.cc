@@ -129,6 +129,42 @@ TEST(SolvedSpheres, ConvergeToEventsAtFirstOrder) {
   EXPECT_LT(error(7680), Real(1.3e-4));
 }
 
+// `many` at rest beside what happens: in all more than are solved to rounding.
+Model beside(int many) {
+  Model model = pile_model(0, 0);
+  model.impacts = Impacts::sequential;
+  for (int i = 0; i < many; ++i)
+    add_ball(model, 1, Real(0.1),
+             {Real(0.3) * static_cast<Real>(i % 6), Real(0.1), Real(0.3) * static_cast<Real>(i / 6)});
+  return model;
+}
+
+// Of those that are swept the parts of a step gave a blow again and again: a quarter of it came back.
+TEST(SweptSpheres, GiveNothingBackWithoutRestitution) {
+  Model model = beside(36);
+  add_ball(model, 1, Real(0.1), {0, Real(0.5), 0});
+  const auto after_fall = after(*make_pile(model, 1e-3), 240);
+  EXPECT_NEAR(after_fall[36].position.y(), 0.3, 1e-4);
+  EXPECT_NEAR(after_fall[36].momentum.y(), 0, 1e-4);
+}
+
+// Two that touch are pushed by a third: all go on as one, at 2/7 of 2 m/s, as each was lighter or heavier.
+TEST(SweptSpheres, PassABlowOnWithinItsInstant) {
+  const auto off = [](int rate) {
+    Model model = beside(36);
+    add_ball(model, 1, Real(0.1), {Real(-0.25), Real(0.1), Real(-0.3)}, {2, 0, 0});
+    add_ball(model, 1, Real(0.1), {0, Real(0.1), Real(-0.3)});
+    add_ball(model, 5, Real(0.1), {Real(0.2), Real(0.1), Real(-0.3)});
+    const auto end = after(*make_pile(model, 1. / rate), 3 * rate / 10);
+    Real most = 0;
+    for (std::size_t i = 36; i < 39; ++i)
+      most = std::max(most, std::abs(end[i].momentum.x() / model.bodies[i].mass - Real(2) / 7));
+    return most;
+  };
+  EXPECT_LT(off(1000), Real(0.02));
+  EXPECT_LT(off(10000), Real(0.002));
+}
+
 // Until one lies on something each meets others at the instant at which it does.
 TEST(SolvedSpheres, LocateImpactsInFlight) {
   Model model = pile_model(1, 0);
