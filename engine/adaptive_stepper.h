@@ -64,7 +64,7 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
       } else {
         if (integrator_.end() >= kink_) cross_kink();
         if (allowance_.is_spent(operations())) integrator_.take_rounding();
-        ending_ = integrator_.step(system_, std::min(integrator_.end() + farthest * dt_, kink_));
+        ending_ = integrator_.step(system_, std::min(integrator_.end() + farthest() * dt_, kink_));
         if (integrator_.rounded()) log_.note(DiagnosticKind::rounding_exceeds, integrator_.begin());
         going_ = ending_ == Ending::done;
         if (going_ && watching_) turn_ = first_turn();
@@ -94,7 +94,14 @@ class AdaptiveStepper final : public SystemStepper<S, Read> {
 
  private:
   static constexpr std::int64_t step_evaluations = 100;
-  static constexpr Time farthest = 1e6;  // steps of dt that one step of the integrator may span
+  // Steps of dt that one step of the integrator may span.  What rests until something reaches it, a wave or a force that
+  // somebody wrote, is looked at now and then: no error tells of a force that is zero wherever it was asked for.
+  Time farthest() const {
+    if constexpr (requires(const S& s) { s.may_be_reached(); })
+      return system_.may_be_reached() ? 16 : 1e6;
+    else
+      return 1e6;
+  }
   // Places within a step of the integrator at which a change of sign is looked for.  A switch that goes and comes back
   // between two of them is none.
   static constexpr int looks = 8;

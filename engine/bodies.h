@@ -77,6 +77,8 @@ class Bodies {
   /// be flipped where switch_value() has changed its sign since; watch() sets them all to what the state
   /// says.
   std::size_t switch_count() const { return switches_.size(); }
+  /// Whether a force may begin at some time that neither the state nor its derivatives tell before.
+  bool may_be_reached() const { return !model_.forces.waters.empty() || !model_.forces.user_forces.empty(); }
   Real switch_value(std::size_t, Time, const Real* y) const;
   void flip(std::size_t);
   void watch(Time, const Real* y);
