@@ -41,6 +41,19 @@ Bodies::Bodies(Model model, bool account)
     rows += row_count(joint.type);
     arm_ = std::max({arm_, joint.anchor.norm(), joint.to == fixed_world ? 0 : joint.to_anchor.norm()});
   }
+  for (const Spring& spring : model_.forces.springs) {
+    const auto end = [&](int body, const Vector3& anchor) {
+      if (body == fixed_world) return anchor;
+      const Motion& m = model_.motions[index(body)];
+      return Vector3(m.position + m.orientation * anchor);
+    };
+    const Real length = (end(spring.body, spring.anchor) - end(spring.to, spring.to_anchor)).norm();
+    Real inverse_mass = model_.bodies[index(spring.body)].inverse_mass;
+    if (spring.to != fixed_world)
+      inverse_mass = std::max(inverse_mass, model_.bodies[index(spring.to)].inverse_mass);
+    span_ = std::max({span_, length, spring.rest_length});
+    held_ = std::max(held_, spring.stiffness * std::abs(length - spring.rest_length) * inverse_mass);
+  }
   rows_.rows.reserve(static_cast<std::size_t>(rows));
   change_.resize(static_cast<std::size_t>(rows));
   const std::vector<char> turning = bodies_that_turn(model_);
@@ -490,9 +503,14 @@ void Bodies::scales(const Real* y, Real* scale) {
   if (at_rest == 0 && speed_ > 0 && speed_ < shaken) at_rest = std::sqrt(pull_ * length_);
   // And what turns on a joint about its own centre moves by the rounding of its rim's speed alone, of which the sums of a
   // step leave less than a thousand units.
+  // What springs hold in balance trembles by the rounding of their forces, and is none the larger for it.
+  const auto tremor = [](Real x, Real whole) {
+    return x > 0 && x < 1000 * epsilon * whole ? whole : Real(0);
+  };
   const auto or_rounding_of = [](Real whole, Real x) { return x < 1000 * epsilon * whole ? whole : x; };
-  const Real speed = or_rounding_of(turn_ * arm_, std::max(speed_, at_rest));
-  const Real length = or_rounding_of(arm_, length_);
+  const Real speed = std::max(or_rounding_of(turn_ * arm_, std::max(speed_, at_rest)),
+                              tremor(speed_, std::sqrt(held_ * span_)));
+  const Real length = std::max(or_rounding_of(arm_, length_), tremor(length_, span_));
   const Real turn = std::max(turn_, length_ > 0 ? at_rest / length_ : 0);
   Real passed_on = 0;
   if (!model_.joints.empty())

@@ -135,7 +135,8 @@ class Bodies {
   Real length_ = 0, speed_ = 0, turn_ = 0;  // the largest that scales() has seen, as are
   std::vector<Real> spin_;                  // |L| of each body
   Real arm_ = 0;                            // From a centre of mass to a joint, the longest [m].
-  Real pull_ = 0;                           // The largest |F|/m that joints have had to take up [m/s^2].
+  Real span_ = 0, held_ = 0;  // Of springs at the start: the longest [m], the largest |F|/m [m/s^2].
+  Real pull_ = 0;             // The largest |F|/m that joints have had to take up [m/s^2].
   Rows rows_, alike_;
   std::vector<Body> equals_;  // the bodies with equal masses
   Holder* holder_ = nullptr;
