@@ -133,9 +133,11 @@ TEST(SolvedSpheres, ConvergeToEventsAtFirstOrder) {
 Model beside(int many) {
   Model model = pile_model(0, 0);
   model.impacts = Impacts::sequential;
-  for (int i = 0; i < many; ++i)
+  for (int i = 0; i < many; ++i) {
+    const int row = i / 6;
     add_ball(model, 1, Real(0.1),
-             {Real(0.3) * static_cast<Real>(i % 6), Real(0.1), Real(0.3) * static_cast<Real>(i / 6)});
+             {Real(0.3) * static_cast<Real>(i % 6), Real(0.1), Real(0.3) * static_cast<Real>(row)});
+  }
   return model;
 }
 
