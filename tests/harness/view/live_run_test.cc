@@ -68,13 +68,15 @@ TEST(LiveRun, ContactForceOfBallIsItsWeight) {
     live.load(ball_on_floor(0, core::Vector3::Zero(), 0), setup(0.002));
     for (const std::int64_t n : {20, 1, 5}) {
       const Piece piece = live.advance(n);
-      ASSERT_EQ(piece.contacts.size(), 1u) << row.engine;
-      const core::Contact& contact = piece.contacts[0];
-      EXPECT_EQ(contact.pair, (core::Pair{0, core::world, 0})) << row.engine;
-      EXPECT_NEAR(contact.normal.y(), 1, 1e-12) << row.engine;
-      EXPECT_NEAR((contact.point - core::Vector3(0.3, 0, -0.1)).norm(), 0, 1e-6) << row.engine;
-      ASSERT_TRUE(contact.impulse) << row.engine;
-      EXPECT_NEAR(*contact.impulse / (2 * 9.81 * 0.002), 1, row.part) << row.engine;
+      double pressed = 0;  // in-house steps tell what acts before the middle of a step and after it
+      for (const core::Contact& contact : piece.contacts) {
+        EXPECT_EQ(contact.pair, (core::Pair{0, core::world, 0})) << row.engine;
+        EXPECT_NEAR(contact.normal.y(), 1, 1e-12) << row.engine;
+        EXPECT_NEAR((contact.point - core::Vector3(0.3, 0, -0.1)).norm(), 0, 1e-6) << row.engine;
+        ASSERT_TRUE(contact.impulse) << row.engine;
+        pressed += *contact.impulse;
+      }
+      EXPECT_NEAR(pressed / (2 * 9.81 * 0.002), 1, row.part) << row.engine;
     }
   }
 }
