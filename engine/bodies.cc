@@ -13,7 +13,7 @@
 namespace cylon::engine {
 
 Bodies::Bodies(Model model, bool account)
-    : model_(std::move(model)), account_(account), masses_(model_.bodies) {
+    : model_(std::move(model)), account_(account), masses_(model_.bodies), balanced_(model_) {
   const std::size_t n = model_.bodies.size();
   count_ = movable_end(model_.bodies);
   model_.forces.start_turns();
@@ -40,19 +40,6 @@ Bodies::Bodies(Model model, bool account)
   for (const Joint& joint : model_.joints) {
     rows += row_count(joint.type);
     arm_ = std::max({arm_, joint.anchor.norm(), joint.to == fixed_world ? 0 : joint.to_anchor.norm()});
-  }
-  for (const Spring& spring : model_.forces.springs) {
-    const auto end = [&](int body, const Vector3& anchor) {
-      if (body == fixed_world) return anchor;
-      const Motion& m = model_.motions[index(body)];
-      return Vector3(m.position + m.orientation * anchor);
-    };
-    const Real length = (end(spring.body, spring.anchor) - end(spring.to, spring.to_anchor)).norm();
-    Real inverse_mass = model_.bodies[index(spring.body)].inverse_mass;
-    if (spring.to != fixed_world)
-      inverse_mass = std::max(inverse_mass, model_.bodies[index(spring.to)].inverse_mass);
-    span_ = std::max({span_, length, spring.rest_length});
-    held_ = std::max(held_, spring.stiffness * std::abs(length - spring.rest_length) * inverse_mass);
   }
   rows_.rows.reserve(static_cast<std::size_t>(rows));
   change_.resize(static_cast<std::size_t>(rows));
@@ -484,7 +471,7 @@ void Bodies::project(Motion* motion) {
 // Positions against the largest distance from the origin so far, momenta of a body against its mass times the
 // largest speed so far, quaternions against 1, spins against the body's inertia times the largest rate of
 // turn so far; what has been zero always, against 1.
-void Bodies::scales(const Real* y, Real* scale) {
+void Bodies::scales(const Real* y, Real* scale, Real tolerance) {
   const Motion* motion = motions(y);
   for (std::size_t i = 0; i < count_; ++i) {
     const Body& body = model_.bodies[i];
@@ -503,14 +490,9 @@ void Bodies::scales(const Real* y, Real* scale) {
   if (at_rest == 0 && speed_ > 0 && speed_ < shaken) at_rest = std::sqrt(pull_ * length_);
   // And what turns on a joint about its own centre moves by the rounding of its rim's speed alone, of which the sums of a
   // step leave less than a thousand units.
-  // What springs hold in balance trembles by the rounding of their forces, and is none the larger for it.
-  const auto tremor = [](Real x, Real whole) {
-    return x > 0 && x < 1000 * epsilon * whole ? whole : Real(0);
-  };
   const auto or_rounding_of = [](Real whole, Real x) { return x < 1000 * epsilon * whole ? whole : x; };
-  const Real speed = std::max(or_rounding_of(turn_ * arm_, std::max(speed_, at_rest)),
-                              tremor(speed_, std::sqrt(held_ * span_)));
-  const Real length = std::max(or_rounding_of(arm_, length_), tremor(length_, span_));
+  const Real speed = balanced_.speed(or_rounding_of(turn_ * arm_, std::max(speed_, at_rest)), tolerance);
+  const Real length = balanced_.length(or_rounding_of(arm_, length_), tolerance);
   const Real turn = std::max(turn_, length_ > 0 ? at_rest / length_ : 0);
   Real passed_on = 0;
   if (!model_.joints.empty())

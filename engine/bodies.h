@@ -1,6 +1,7 @@
 // The general system of differential equations: rigid bodies under forces, joints and lasting contacts.
 #pragma once
 
+#include "engine/balanced.h"
 #include "engine/changing_masses.h"
 #include "engine/constraint.h"
 #include "engine/diagnostic.h"
@@ -52,7 +53,7 @@ class Bodies {
   /// Forces are those of the smooth piece of time that begins at t, until the next call.
   void start_piece(Time t) { model_.forces.start_piece(t); }
   /// For error control: the largest size so far of each component's kind over all bodies.
-  void scales(const Real* y, Real* scale);
+  void scales(const Real* y, Real* scale, Real tolerance);
 
   /// What a user must know of the steps so far.
   std::vector<Diagnostic> diagnostics() const { return log_.all(); }
@@ -135,8 +136,8 @@ class Bodies {
   Real length_ = 0, speed_ = 0, turn_ = 0;  // the largest that scales() has seen, as are
   std::vector<Real> spin_;                  // |L| of each body
   Real arm_ = 0;                            // From a centre of mass to a joint, the longest [m].
-  Real span_ = 0, held_ = 0;  // Of springs at the start: the longest [m], the largest |F|/m [m/s^2].
-  Real pull_ = 0;             // The largest |F|/m that joints have had to take up [m/s^2].
+  Real pull_ = 0;                           // The largest |F|/m that joints have had to take up [m/s^2].
+  Balanced balanced_;
   Rows rows_, alike_;
   std::vector<Body> equals_;  // the bodies with equal masses
   Holder* holder_ = nullptr;

@@ -134,6 +134,10 @@ const std::array<DiagnosticRow, static_cast<std::size_t>(DiagnosticKind::count)>
     {K::solved_in_turn, "solved-in-turn", "", "",
      "impacts = simultaneous was not kept in {count} steps, from t = {since} s on: impacts of one body at "
      "one instant were solved one after another"},
+    {K::blows_swept, "blows-swept", "spheres", "",
+     "from t = {since} s on, sweeps passed on blows of spheres without restitution, as there are more than "
+     "{limit}: "
+     "up to a quarter of such a blow comes back"},
     {K::approaching, "approaching", "rounds", "",
      "impacts of spheres within a substep did not end in {limit} iterations, {count} times from t = {since} "
      "s on: the pairs that still approached were solved as contacts in the next substep"},

@@ -61,6 +61,7 @@ enum class DiagnosticKind {
   unstable,
   solved_at_once,
   solved_in_turn,
+  blows_swept,
   approaching,
   facets_unsettled,
   points_left_out,

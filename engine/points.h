@@ -2,6 +2,7 @@
 // its own.
 #pragma once
 
+#include "engine/balanced.h"
 #include "engine/model.h"
 #include "engine/system.h"
 
@@ -31,7 +32,7 @@ template <std::size_t N>
 class Points : public PointsSize<N> {
  public:
   /// Requires not_points(model) to be empty, and N bodies where N > 0.
-  explicit Points(const Model& model) : gravity_(model.forces.gravity) {
+  explicit Points(const Model& model) : gravity_(model.forces.gravity), balanced_(model) {
     own_ = model.has_own_gravity();
     for (std::size_t i = 0; own_ && i < model.bodies.size(); ++i) own_gravity_.push_back(model.gravity_of(i));
     const auto pin = [&](int body) { return body == fixed_world || model.bodies[index(body)].locked; };
@@ -89,16 +90,17 @@ class Points : public PointsSize<N> {
   void project(Real*) {}
 
   /// For error control: positions against the largest distance from the origin so far, momenta against the
-  /// mass times the largest speed so far; what has been zero always, against 1.
-  void scales(const Real* y, Real* scale) {
+  /// mass times the largest speed so far; what has been zero always, against 1; what springs balance: Balanced.
+  void scales(const Real* y, Real* scale, Real tolerance) {
     const std::size_t n = count();
     for (std::size_t i = 0; i < n; ++i) {
       length_ = std::max(length_, point(y, n, i).norm());
       speed_ = std::max(speed_, inverse_mass_[i] * point(y + 3 * n, n, i).norm());
     }
     const auto or_one = [](Real x) { return x > 0 ? x : Real(1); };
-    std::fill(scale, scale + 3 * n, or_one(length_));
-    for (std::size_t i = 0; i < 3 * n; ++i) scale[3 * n + i] = or_one(mass_[i % n] * speed_);
+    const Real speed = balanced_.speed(speed_, tolerance);
+    std::fill(scale, scale + 3 * n, or_one(balanced_.length(length_, tolerance)));
+    for (std::size_t i = 0; i < 3 * n; ++i) scale[3 * n + i] = or_one(mass_[i % n] * speed);
   }
 
   std::vector<Real> initial(const std::vector<Motion>& motions) const {
@@ -187,6 +189,7 @@ class Points : public PointsSize<N> {
   bool weight_ = false, own_ = false;
   std::vector<Vector3> own_gravity_;  // one per body, where one has its own
   Real length_ = 0, speed_ = 0;       // the largest that scales() has seen
+  Balanced balanced_;
   std::vector<Real> mass_, inverse_mass_;
   std::vector<Pin> pins_;
   std::vector<Link> links_;

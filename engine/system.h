@@ -16,7 +16,8 @@ concept System = requires(S& s, const S& c, Time t, const Real* from, Real* y, R
   s.project(y);  // back to where exact motion lives: unit quaternions, closed joints; once per step
 };
 
-/// A System may have scales(y, scale): what errors of each number are measured by, and this of one whose errors do not count.
+/// A System may have scales(y, scale) or scales(y, scale, tolerance): what errors of each number are measured by, so that they
+/// are within `tolerance` of it, and this of one whose errors do not count.
 inline constexpr Real uncontrolled = Real(1e30);
 
 /// One with a splitting in two parts that are each solved exactly (or far better than any

@@ -35,6 +35,8 @@ class Trees {
 
   void rates(Time, const Real* y, Real* rate);
   void project(Real* y) const;
+  /// As of Bodies; there is no water here.
+  bool may_be_reached() const { return !model_.forces.user_forces.empty(); }
   /// For error control: the largest size so far of each component's kind over all bodies.
   void scales(const Real* y, Real* scale);
   Time next_kink(Time t) const { return model_.forces.next_kink(t); }

@@ -273,7 +273,9 @@ class Dop853 {
   }
 
   void set_scales(S& s, const Real* y) {
-    if constexpr (requires { s.scales(y, scale_); }) {
+    if constexpr (requires { s.scales(y, scale_, tolerance_); }) {
+      s.scales(y, scale_, tolerance_);
+    } else if constexpr (requires { s.scales(y, scale_); }) {
       s.scales(y, scale_);
     } else {
       Real largest = 0;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace cylon::engine::pile {
 namespace {
@@ -68,6 +69,31 @@ void SpherePile::note_order() {
       if (in_first(impacts_[k].body) || in_first(impacts_[k].other))
         return log_.note(DiagnosticKind::solved_in_turn, impacts_[k].time);
     }
+}
+
+// What still meets within the part, faster than gravity makes it: pairs with restitution have been parted.  The first is told.
+void SpherePile::note_blows(Time now, Time span) {
+  if (alone_ || spheres_.count <= SphereContacts::most_that_pass_on || log_.has(DiagnosticKind::blows_swept))
+    return;
+  const Real h = static_cast<Real>(span), slow = 2 * gravity_ * h;
+  bool any = false;
+  const auto row = [](const Real* x) { return Vector3(x[0], x[1], x[2]); };
+  found_.each([&](const auto& batch) {
+    for (int lane = 0; lane < lane_count; ++lane) {
+      const int a = batch.a[lane], b = batch.b[lane];
+      if (any || a >= spheres_.count) continue;
+      const Vector3 n(batch.normal.x[lane], batch.normal.y[lane], batch.normal.z[lane]);
+      Real speed = n.dot(row(spheres_.v(a))), gap = n.dot(row(spheres_.p(a))) - spheres_.p(a)[3];
+      if constexpr (std::remove_cvref_t<decltype(batch)>::plane) {
+        gap -= batch.offset[lane];
+      } else {
+        speed -= n.dot(row(spheres_.v(b)));
+        gap -= n.dot(row(spheres_.p(b))) + spheres_.p(b)[3];
+      }
+      any = speed < -slow && gap + speed * h < 0;
+    }
+  });
+  if (any) log_.note(DiagnosticKind::blows_swept, now, SphereContacts::most_that_pass_on);
 }
 
 void SpherePile::order_bodies() {
@@ -140,6 +166,7 @@ void SpherePile::advance_part(Time now, Time span) {
   if (!impacts_found_.resolve(found_.approaching(), spheres_, now, span, impacts_,
                               keep_ ? &contacts_ : nullptr))
     log_.note(DiagnosticKind::approaching, now, most_impact_sweeps);
+  note_blows(now, span);
   if (alone_) {
     advance_alone(span);  // impacts alone: nothing rests on anything
     turn(span);

@@ -42,6 +42,7 @@ class SpherePile : public Stepper {
   void add_pressed();
   void note_pressed();
   void note_order();
+  void note_blows(Time now, Time span);
   void note_sweep(DiagnosticLog&) const;
   Real unmet() const;
 

@@ -209,26 +209,6 @@ double error_from(const Start& start, const Setting& setting, std::int64_t steps
   return ran.point.errors.empty() ? std::nan("") : ran.point.errors[start.by];
 }
 
-// A cost nearer than that to the least is as low: two timings of one setting differ by so much.
-constexpr double as_cheap = 1.05;
-
-// Of those that are as cheap as the cheapest the one first that needs the fewest options: what gains nothing is not advised.
-void put_cheapest_first(std::vector<Pick>& picks) {
-  std::stable_sort(picks.begin(), picks.end(), [](const Pick& a, const Pick& b) { return a.cost < b.cost; });
-  const auto tied = std::find_if(picks.begin(), picks.end(), [&](const Pick& pick) {
-    return !(pick.cost <= as_cheap * picks.front().cost);
-  });
-  const auto options = [](const Pick& pick) {
-    const std::size_t variant = pick.engine.find('/');
-    return variant == std::string::npos
-               ? 0
-               : 1 + std::count(pick.engine.begin() + static_cast<std::ptrdiff_t>(variant), pick.engine.end(),
-                                ',');
-  };
-  std::stable_sort(picks.begin(), tied,
-                   [&](const Pick& a, const Pick& b) { return options(a) < options(b); });
-}
-
 // Why a pick has no cost, by pick.
 std::map<const Pick*, std::string> time_picks(const std::vector<Pick*>& picks, const core::Scene& scene,
                                               const std::vector<Setting>& settings, double duration,
@@ -254,6 +234,19 @@ std::map<const Pick*, std::string> time_picks(const std::vector<Pick*>& picks, c
       picks[i]->cost = cost(*best[i], setting.integrator.adaptive, duration);
     }
   return failed;
+}
+
+void put_cheapest_first(std::vector<Pick>& picks) {
+  constexpr double as_cheap = 1.05;
+  std::stable_sort(picks.begin(), picks.end(), [](const Pick& a, const Pick& b) { return a.cost < b.cost; });
+  const auto tied = std::find_if(picks.begin(), picks.end(), [&](const Pick& pick) {
+    return !(pick.cost <= as_cheap * picks.front().cost);
+  });
+  const auto options = [](const Pick& pick) {
+    return std::ranges::count_if(pick.engine, [](char c) { return c == '/' || c == ','; });
+  };
+  std::stable_sort(picks.begin(), tied,
+                   [&](const Pick& a, const Pick& b) { return options(a) < options(b); });
 }
 
 std::vector<EngineAdvice> advise(const std::vector<Start>& starts, const std::vector<Setting>& settings,

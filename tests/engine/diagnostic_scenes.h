@@ -217,6 +217,17 @@ inline Model blow_among_many(Real restitution) {
   return model;
 }
 
+// A ball falls on one of more than pass blows on at their instant.
+inline Model ball_onto_many() {
+  Model model = floor({0, 0});
+  for (int i = 0; i < 300; ++i) {
+    const int row = i / 20;
+    ball(model, {Real(1.5) * static_cast<Real>(i % 20), Real(0.5), Real(1.5) * static_cast<Real>(row)});
+  }
+  ball(model, {0, Real(1.7), 0});
+  return model;
+}
+
 inline Model chain_of_boxes(int count) {
   Model model = floor({0, Real(0.5)});
   for (int i = 0; i < count; ++i) {

@@ -204,6 +204,7 @@ const std::vector<Provoked> provoked = {
      [] { return said(with_drag(ball_over_plane(5, 0), Real(7e8)), on("stepping", 0.01), 2); }},
     {K::solved_at_once, 0.06, [] { return said(blow_among_many(Real(0.5)), on("stepping", 0.01), 6); }},
     {K::solved_in_turn, 0.02, [] { return said(at_once(row_of_balls(3)), on("stepping", 0.01), 2); }},
+    {K::blows_swept, 0.3, [] { return said(ball_onto_many(), on("stepping", 0.01), 30); }},
     {K::approaching, 0.02, [] { return said(row_of_balls(100), on("stepping", 0.01), 2); }},
     {K::facets_unsettled, 1, [] { return said(random_pile(8), forced(on("stepping", 0.01)), 100); }},
     {K::points_left_out, 0.02,

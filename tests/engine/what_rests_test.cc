@@ -86,6 +86,18 @@ TEST(AtRest, WhatASpringHoldsAtTheOriginStays) {
     }
 }
 
+// y = a exp(-c t) (cos w t + c/w sin w t),  c = damping/(2 m),  w^2 = k/m - c^2.  A tolerance of 1e-10 of so small a motion is
+// less than the rounding of the spring's length: it was looked for for 20 s.
+TEST(AtRest, WhatIsHardlyOffBalanceSwingsBack) {
+  const double t = 2, c = 0.3 / 4, k = static_cast<double>(2 * g) / 0.14, w = std::sqrt(k / 2 - c * c);
+  for (const double off : {1e-9, 1e-7, 1e-6, 1e-5}) {
+    Model model = hung(0, Real(0.3));
+    model.motions[0].position.y() = static_cast<Real>(off);
+    const double exact = off * std::exp(-c * t) * (std::cos(w * t) + c / w * std::sin(w * t));
+    EXPECT_NEAR(static_cast<double>(after_steps(model, 128).position.y()), exact, 1e-14) << off;
+  }
+}
+
 // The surface 0.06 sin(x - t/2) is below the box, whose bottom is at 0.05, until t = 2 pi.  One step of the integrator had no
 // stage in the water, and was 15 625 s long.
 TEST(AtRest, UntilAWaveComes) {

@@ -9,6 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace cylon::cli {
 namespace {
@@ -23,6 +26,24 @@ class Advise : public CommandLine {
   }
   mutable std::string out;
 };
+
+// Noise decided between settings of equal cost, and one that gained nothing was advised.
+TEST(Picks, OfEqualCostTheOneWithTheFewestOptionsIsFirst) {
+  const auto ordered = [](std::vector<std::pair<std::string, double>> given) {
+    std::vector<results::Pick> picks;
+    for (const auto& [engine, cost] : given) {
+      picks.emplace_back();
+      picks.back().engine = engine, picks.back().cost = cost;
+    }
+    study::put_cheapest_first(picks);
+    std::string all;
+    for (const results::Pick& pick : picks) all += pick.engine + ' ';
+    return all;
+  };
+  EXPECT_EQ(ordered({{"ode/a=1,b=2", 1.}, {"ode/a=1", 1.02}, {"ode", 1.04}}), "ode ode/a=1 ode/a=1,b=2 ");
+  EXPECT_EQ(ordered({{"ode", 1.06}, {"ode/a=1", 1.}}), "ode/a=1 ode ");
+  EXPECT_EQ(ordered({{"ode/b=1", 1.}, {"ode/a=1", 0.99}}), "ode/a=1 ode/b=1 ");
+}
 
 // Symplectic Euler throws the ball g dt T/2 too low: 9.81 0.8/2 dt of the 3.3 m that it comes to, so the
 // dearest step within a hundredth, less the margin of 15 %, is 7.4e-3 s, and steps lie a factor of 2^(1/4)
