@@ -29,7 +29,7 @@ class Advise : public CommandLine {
 
 // Noise decided between settings of equal cost, and one that gained nothing was advised.
 TEST(Picks, OfEqualCostTheOneWithTheFewestOptionsIsFirst) {
-  const auto ordered = [](std::vector<std::pair<std::string, double>> given) {
+  const auto ordered = [](const std::vector<std::pair<std::string, double>>& given) {
     std::vector<results::Pick> picks;
     for (const auto& [engine, cost] : given) {
       picks.emplace_back();
