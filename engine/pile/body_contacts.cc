@@ -400,7 +400,7 @@ void BodyContacts::add_joints(const std::vector<Motion>& motions, const std::vec
     const CoordinateLaw& law = model_.forces.coordinate_laws[i];
     if (law.friction == 0 && !law.is_limited() && !law.held) continue;
     const auto add_along = [&](Block block) {
-      if (block.kind == Block::Kind::soft && law.armature != 0 && next < old.size())
+      if ((block.kind != Block::Kind::soft || law.armature != 0) && next < old.size())
         block.past = old[next].past;
       block.impulse = next < old.size() ? Vector3(block.normal.dot(old[next++].impulse) * block.normal)
                                         : Vector3(Vector3::Zero());

@@ -22,6 +22,8 @@ Vector3 across(const Vector3& u, const Vector3& n) { return u - n.dot(u) * n; }
 // What arms, normals and spaces that turned have changed of the u that the last solution left; it turns with the normal.
 Vector3 bend(const Block& block) {
   if (block.kind == Block::Kind::hold) return block.space * block.before - block.past.u;
+  if (block.is_along_normal())
+    return (block.normal.dot(block.before) - block.past.normal.dot(block.past.u)) * block.normal;
   return block.before - Quaternion::FromTwoVectors(block.past.normal, block.normal) * block.past.u;
 }
 
@@ -179,7 +181,7 @@ void BodyPile::set_bias(Real lag, Real h) {
   };
   forget_parts_of_pairs();
   for (Block& block : blocks_) {
-    if (block.is_along_normal() || is_impact(block)) continue;
+    if (block.kind == Block::Kind::soft || is_impact(block)) continue;
     const bool touches = block.kind == Block::Kind::contact;
     const Vector3 bent = bend(block);
     const Real most = (speed(block.a, block.arm) + speed(block.b, block.to_arm)) / 4;

@@ -27,7 +27,9 @@ void BodyPile::set_targets(Time now, Real span, Real h) {
     if (!block.is_one_sided()) continue;
     const bool stop = block.kind == Block::Kind::stop;
     const Real gap = stop ? gap_of_stop(block) : block.gap + block.normal.dot(offset(block, motions_));
-    const Real u = block.normal.dot(block.before);
+    // Of the middle of the part before, where the axis of a stop had turned half as far.
+    Real u = block.normal.dot(block.before);
+    if (stop && block.past.known) u = (u + block.past.normal.dot(block.past.u)) / 2;
     const bool meets = u < 0 && gap + u * h <= 0;
     const bool bounces = meets && block.restitution > 0 && -u > unsure_;
     block.target = bounces ? -block.restitution * u : -std::max(gap, Real(0)) / h;

@@ -229,6 +229,34 @@ TEST(JointLawsInSteps, TakeStiffForcesToFirstOrder) {
   }
 }
 
+// One angle is driven and turns the axis of the other, which lies on a stop without restitution and leaves it, or sticks by dry
+// friction.  What kept to the axis of the beginning of a step was off by h/2 of what the turn of the axis makes of the rate: a
+// stop let go late by the root of h, and what stuck crept.
+TEST(JointLawsInSteps, HoldWhileTheirAxisTurns) {
+  for (const Joint::Type type : {joint_types::universal, joint_types::gimbal})
+    for (const bool rubs : {false, true}) {
+      JointScene scene = joint_scene(type, false);
+      CoordinateLaw drives, holds;
+      drives.at = scene.angle(), holds.at = scene.angle(true);
+      drives.stiffness = Real(0.5), drives.target.amplitude = 2, drives.target.frequency = 6;
+      if (rubs) {
+        holds.friction = 2;
+      } else {
+        holds.lower = Real(-0.1), holds.upper = Real(0.3);
+      }
+      scene.model.forces.gravity = {1, -2, Real(0.5)};
+      scene.model.forces.coordinate_laws = {drives, holds};
+      const Model model = over_a_far_plane(scene.model);
+      const Outcome truth = run(model, with("auto", 0.01), 60);
+      const auto off = [&](Time dt) { return apart(model, truth.motions, stepped(model, dt, 0.6, false)); };
+      const Real coarse = off(1. / 500), fine = off(1. / 8000);
+      if (rubs)
+        EXPECT_LE(fine, coarse / 128) << "second order";
+      else
+        EXPECT_LE(fine, 40. / 8000) << "the stop's blow comes at some time within a step";
+    }
+}
+
 // Negative control: the laws matter in these scenes.
 TEST(JointLawsInSteps, MatterHere) {
   for (const Coordinates& c : coordinates) {
