@@ -8,6 +8,12 @@
 #include <utility>
 
 namespace cylon::engine::pile {
+namespace {
+
+constexpr int most_rounds = 8;
+
+}  // namespace
+
 Real time_of_contact(const Vector3& d, const Vector3& v, Real reach) {
   // (v.v) t^2 + 2 (d.v) t + c = 0, c = d.d - reach^2 in the form that does not cancel
   const Real b = d.dot(v), length = d.norm(), c = (length - reach) * (length + reach);
@@ -16,46 +22,64 @@ Real time_of_contact(const Vector3& d, const Vector3& v, Real reach) {
   return c <= 0 ? 0 : c / (std::sqrt(root) - b);
 }
 
-SphereImpacts::SphereImpacts(const Model& model)
-    : planes_(model.planes), gravity_(pressing_gravity(model)), alone_(isolated(model)) {}
+SphereImpacts::SphereImpacts(const Model& model, int parts)
+    : planes_(model.planes),
+      gravity_(pressing_gravity(model)),
+      parts_(static_cast<Real>(parts)),
+      alone_(isolated(model)) {}
 
-// From where the straight paths of both began: before that they were elsewhere.
+// From where the paths of both began, since: before that they were elsewhere.  Rows of places and velocities are those of
+// now, of paths that are carried back there: a body is at p + t v + g t^2/2 and has v + g t.  Bodies with the same g move
+// straight against each other; else with a between them, at a plane the gap is
+//   gap + u s + a s^2/2,  s = t - since,  u and gap of since
+// and of spheres |d + s (u + a s/2)| = reach, in rounds that each gain a factor of 2 u/(a s).
 SphereImpacts::Meeting SphereImpacts::meeting(const Approaching& pair, const Spheres& spheres,
                                               Real span) const {
   using Row = Eigen::Map<const Vector3>;
   const bool plane = pair.b >= spheres.count;
   const Real *va = spheres.v(pair.a), *pa = spheres.p(pair.a);
-  const Vector3 v_b = plane ? Vector3(Vector3::Zero()) : Vector3(Row(spheres.v(pair.b)));
+  const Vector3 none = Vector3::Zero(), v_b = plane ? none : Vector3(Row(spheres.v(pair.b)));
   const Real inverse_b = plane ? 0 : spheres.v(pair.b)[3];
+  const Vector3 pull = Row(spheres.g(pair.a)) - (plane ? none : Vector3(Row(spheres.g(pair.b))));
   Real since = since_[static_cast<std::size_t>(pair.a)];
+  if (!plane) since = std::max(since, since_[static_cast<std::size_t>(pair.b)]);
   Meeting m;
   m.velocity = Row(va) - v_b;
+  const Vector3 u = m.velocity + since * pull;
   Real t = 0;
   if (plane) {
     const Plane& ground = planes_[static_cast<std::size_t>(pair.b - spheres.count)];
     m.normal = ground.normal;
-    const Real toward = -m.normal.dot(m.velocity);
+    const Real toward = -m.normal.dot(u), faster = -m.normal.dot(pull);
     if (toward <= 0) return {};
-    const Real gap = m.normal.dot(Row(pa)) - ground.offset - pa[3] - since * toward;
-    t = since + (gap > 0 ? gap / toward : 0);
+    const Real gap = m.normal.dot(Row(pa)) - ground.offset - pa[3] - since * (toward - faster * since / 2);
+    t = since;
+    if (gap > 0) {
+      const Real root = toward * toward + 2 * faster * gap;
+      if (root < 0) return {};  // gravity turns it back
+      t += 2 * gap / (toward + std::sqrt(root));
+    }
   } else {
-    since = std::max(since, since_[static_cast<std::size_t>(pair.b)]);
     const Real reach = pa[3] + spheres.p(pair.b)[3];
-    const Vector3 d = Row(pa) - Row(spheres.p(pair.b));
-    t = time_of_contact(d + since * m.velocity, m.velocity, reach);
-    if (t >= 0) t += since;
-    m.normal = d + t * m.velocity;
+    const Vector3 d = Row(pa) - Row(spheres.p(pair.b)) + since * (m.velocity + since / 2 * pull);
+    Real s = time_of_contact(d, u, reach);
+    for (int round = 0; round < most_rounds && s > 0 && !pull.isZero(0); ++round)
+      s = time_of_contact(d, u + s / 2 * pull, reach);
+    t = s >= 0 ? since + s : s;
+    m.normal = d + s * (u + s / 2 * pull);
     const Real length = m.normal.norm();
     if (!(length > 0)) return {};  // centres on each other: no direction to part in
     m.normal /= length;
     // overlapping bodies as well meet in one point between their centres
     if (alone_ && reach > 0) m.lever = length / reach;
   }
-  // What gravity adds within the step may bring them together a little earlier than the straight path does;
-  // not to take that for an impact would let the contact swallow their speed.
+  m.velocity += t * pull;
+  // What presses on others is at p + h v in each of the parts, by up to g span^2/(2 parts) lower than here.  Not to take that
+  // for an impact would let the contact swallow its speed.
   m.approach = -m.normal.dot(m.velocity);
   const bool falls = plane || (va[3] == 0) != (inverse_b == 0);
-  if (!(t >= 0 && (t <= span || (falls && (t - span) * m.approach <= gravity_ * span * span)))) return {};
+  if (!(t >= 0 && (t <= span || (falls && (t - span) * m.approach <= gravity_ * span * span / (2 * parts_)))))
+    return {};
   // slower than the rounding of the velocities is rest
   if (m.approach <= 16 * epsilon * (Row(va).norm() + v_b.norm())) return {};
   // nor is what gravity brings: a contact takes that
@@ -82,16 +106,20 @@ void SphereImpacts::strike(const Approaching& pair, const Meeting& m, Spheres& s
   if (length > limit) tangential *= limit / length;
   const Vector3 impulse = normal * n + tangential, turn = m.lever * n.cross(tangential);
 
-  const Vector3 point = Vector3(Row(pa)) + t * Vector3(Row(va)) - pa[3] * n;
+  const Vector3 pull = Eigen::Map<const Vector3>(spheres.g(pair.a));
+  const Vector3 point = Vector3(Row(pa)) + t * (Vector3(Row(va)) + t / 2 * pull) - pa[3] * n;
 
-  Row(va) += ima * impulse, Row(va + 4) -= ka * turn;
-  Row(pa) -= t * ima * impulse;
-  since_[static_cast<std::size_t>(pair.a)] = t;
-  if (!plane) {
-    Row(vb) -= imb * impulse, Row(vb + 4) -= kb * turn;
-    Row(spheres.p(pair.b)) += t * imb * impulse;
-    since_[static_cast<std::size_t>(pair.b)] = t;
-  }
+  const auto change = [&](int i, Real sign) {
+    Real *v = spheres.v(i), *p = spheres.p(i), *q = spheres.orientation.data() + place_stride * i;
+    const Vector3 kick = sign * v[3] * impulse, spin = spheres.spin(i);
+    Row(v) += kick, Row(v + 4) -= v[7] * turn;
+    Row(p) -= t * kick;
+    const Quaternion then = turned(turned({q[0], q[1], q[2], q[3]}, t * spin), -t * spheres.spin(i));
+    q[0] = then.w(), q[1] = then.x(), q[2] = then.y(), q[3] = then.z();
+    since_[static_cast<std::size_t>(i)] = t;
+  };
+  change(pair.a, 1);
+  if (!plane) change(pair.b, -1);
   Impact impact;
   impact.time = now + static_cast<Time>(t);
   impact.body = spheres.id[static_cast<std::size_t>(pair.a)];

@@ -1,4 +1,4 @@
-// Impacts of spheres: found on the straight paths of the bodies within the step, one after another.
+// Impacts of spheres: found on the paths of free fall within the step, one after another.
 #pragma once
 
 #include "engine/pile/spheres.h"
@@ -19,11 +19,13 @@ inline constexpr int most_impact_sweeps = 64;
 
 class SphereImpacts {
  public:
-  explicit SphereImpacts(const Model&);
+  /// `parts` into which a step is divided for the contacts.
+  SphereImpacts(const Model&, int parts);
 
   /// Newton's restitution and Coulomb's friction at the instant of contact, for all pairs that meet within
-  /// `span` of now; velocities are those before the forces of the step.
-  ///   u_n' = -e u_n,  |J_t| <= friction J_n;  p += t (v - v'), so that p + v' h is on the broken path.
+  /// `span` of now; velocities are those before the forces of the step, and u those of the instant, v + t g.
+  ///   u_n' = -e u_n,  |J_t| <= friction J_n;  p += t (v - v'), so that p + v' h + g h^2/2 is on the broken path,
+  /// and orientations turn by t w and by -t w'.
   /// Repeated until nothing approaches, at most most_impact_sweeps times: one impact can make another (Newton's cradle), or
   /// unmake it (a ball in a corner), so each body meets others in the order of time.
   /// Adds the contacts to `contacts` where it is not null.  Says whether nothing approached at the end.
@@ -43,8 +45,9 @@ class SphereImpacts {
 
   std::vector<Plane> planes_;
   Real gravity_;  // [m/s^2]
+  Real parts_;
   bool alone_;
-  std::vector<Real> since_;  // of each body, when in the step its straight path began [s]
+  std::vector<Real> since_;  // of each body, when in the step its path began [s]
   std::vector<Real> next_;   // of each body, when it meets another
   std::vector<Real> time_;   // of each pair, when it meets; negative: not
 };

@@ -26,7 +26,7 @@ SpherePile::SpherePile(const Model& model, Time dt, const PileSettings& settings
       threads_(settings.threads),
       spheres_(model, blocks_of(model)),
       found_(model_, threads_),
-      impacts_found_(model),
+      impacts_found_(model, settings.substeps),
       first_(first),
       steps_(first),
       alone_(isolated(model)),
@@ -281,7 +281,7 @@ void SpherePile::drift_alone(Real h) {
       spheres_.place[static_cast<std::size_t>(place_stride * i + c)] += h * spheres_.v(i)[c];
 }
 
-// Of spheres that are near one plane, or nothing: its normal, and what their velocity changes by in a part of length h, at
+// Of spheres that are near one plane: its normal, and what their velocity changes by in a part of length h, at
 // most, where gravity and that plane alone change it.
 void SpherePile::set_smooth(Real h) {
   const auto at = [&](int i) -> Smooth& { return smooth_[static_cast<std::size_t>(i)]; };
@@ -298,22 +298,31 @@ void SpherePile::set_smooth(Real h) {
   });
 }
 
-// p += h (v_before + v)/2 of a sphere that falls, and along the plane on which it slides or rolls: its acceleration is
-// constant, and its path of second order.  Else p += h v, which is what contacts are solved for.  Then, for the next part,
-// the forces and this part's impulses again: v += v - v_before.
+// p += h (v_before + v)/2 of a sphere that nothing presses on, and along the plane on which it slides or rolls: its
+// acceleration is constant, and its path of second order.  Else p += h v, which is what contacts are solved for.  Then, for the
+// next part, the forces and this part's impulses again: v += v - v_before.
 void SpherePile::drift(Real h, bool again) {
   auto* const place = reinterpret_cast<Row*>(spheres_.place.data());
   auto* const velocity = reinterpret_cast<Row*>(spheres_.velocity.data());
   auto* const before = reinterpret_cast<Row*>(spheres_.before.data());
+  const auto* const kick = reinterpret_cast<const Row*>(spheres_.kick.data());
   const Row hs = {h, h, h, 0};
   const auto count = static_cast<std::size_t>(spheres_.count);
+  const auto squared = [](const Row& x) {
+    const Row y = x * x;
+    return y[0] + y[1] + y[2];
+  };
+  constexpr Real same = 16 * epsilon;
   for (std::size_t i = 0; i < count; ++i) {
-    const Row change = velocity[2 * i] - before[2 * i];
-    const auto& [normal, most] = smooth_[i];
-    Row smooth = change <= most && change >= -most ? change : Row{};
-    const Row along = smooth * normal;
-    smooth -= (along[0] + along[1] + along[2]) * normal;
-    place[i] += hs * (velocity[2 * i] - smooth / 2);
+    const Row now = velocity[2 * i], change = now - before[2 * i];
+    Row smooth = change;
+    if (squared(change - hs * kick[2 * i]) > same * same * squared(now)) {
+      const auto& [normal, most] = smooth_[i];
+      smooth = change <= most && change >= -most ? change : Row{};
+      const Row along = smooth * normal;
+      smooth -= (along[0] + along[1] + along[2]) * normal;
+    }
+    place[i] += hs * (now - smooth / 2);
   }
   if (!again) return;
   for (std::size_t k = 0; k < 2 * count; ++k) {
@@ -326,9 +335,7 @@ void SpherePile::drift(Real h, bool again) {
 void SpherePile::turn(Time span) {
   const Real h = static_cast<Real>(span);
   for (int i = 0; i < spheres_.count; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const Real* s = spheres_.v(i) + 4;
-    const Vector3 spin = Vector3(s[0], s[1], s[2]) * spheres_.inverse_radius[k] + spheres_.free_spin[k];
+    const Vector3 spin = spheres_.spin(i);
     if (spin.isZero(0)) continue;
     Real* q = spheres_.orientation.data() + place_stride * i;
     const Quaternion next = turned(Quaternion(q[0], q[1], q[2], q[3]), h * spin);

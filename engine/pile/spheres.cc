@@ -87,10 +87,9 @@ void Spheres::read(const std::vector<Body>& bodies, std::vector<Motion>& motions
     const auto k = static_cast<std::size_t>(i);
     const Body& body = bodies[static_cast<std::size_t>(id[k])];
     const Real* q = orientation.data() + place_stride * i;
-    const Vector3 spin = Vector3(v(i)[4], v(i)[5], v(i)[6]) * inverse_radius[k] + free_spin[k];
     motions[static_cast<std::size_t>(id[k])] =
         make_motion(body, Vector3(p(i)[0], p(i)[1], p(i)[2]), Quaternion(q[0], q[1], q[2], q[3]),
-                    Vector3(v(i)[0], v(i)[1], v(i)[2]), spin);
+                    Vector3(v(i)[0], v(i)[1], v(i)[2]), spin(i));
   }
 }
 
