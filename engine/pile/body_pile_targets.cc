@@ -46,7 +46,7 @@ void BodyPile::set_targets(Time now, Real span, Real h) {
 void BodyPile::strike_in_turn(Time now, Real h, bool leaps) {
   if (model_.impacts != Impacts::sequential) return;
   if (std::none_of(blocks_.begin(), blocks_.end(), [](const Block& b) { return b.impact; })) return;
-  const InTurn::Part part = {h, std::max(4 * gravity_ * h, unsure_), leaps && !isolated_, spheres_};
+  const InTurn::Part part = {h, 4 * gravity_ * h, unsure_, leaps && !isolated_, spheres_};
   const std::vector<Group> all = divided_ ? std::vector<Group>() : find_groups(blocks_, movers_);
   for (const Group& group : divided_ ? groups_ : all) {
     const InTurn::Outcome outcome = in_turn_.strike(group, part, blocks_, model_.bodies, movers_, motions_);

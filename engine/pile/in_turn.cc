@@ -1,6 +1,7 @@
 #include "engine/pile/in_turn.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace cylon::engine::pile {
@@ -17,6 +18,19 @@ Real speed_rounding(const Block& block, const std::vector<Mover>& movers) {
     return block.angular ? m.w.norm() : m.v.norm() + m.w.norm() * arm.norm();
   };
   return 32 * epsilon * (size(block.a, block.arm) + size(block.b, block.to_arm));
+}
+
+// What gravity brings of the rate of an angle for each of a speed: weight that hangs at d turns a body of radius of gyration k
+// by at most g d/(k^2 + d^2) <= g/(2 k) [1/m].
+Real rate_for_speed(const Block& block, const std::vector<Mover>& movers) {
+  if (!block.angular) return 1;
+  const auto half_over_k = [&](int body) {
+    if (body == fixed_world) return Real(0);
+    const Mover& m = movers[index(body)];
+    const Real turns = block.normal.dot(m.inverse_inertia * block.normal);
+    return m.inverse_mass > 0 ? std::sqrt(turns / m.inverse_mass) / 2 : Real(0);
+  };
+  return half_over_k(block.a) + half_over_k(block.b);
 }
 
 }  // namespace
@@ -51,7 +65,8 @@ bool InTurn::approaches(std::size_t k, const Part& part) const {
   const Block& block = lists_.blocks[k];
   const Real u = block.normal.dot(relative_velocity(block, lists_.movers));
   const Real lasts = block.impact ? Real(0) : std::max<Real>(0, -block.normal.dot(block.before));
-  return -u > lasts + std::max({part.slow, speed_rounding(block, lists_.movers), unsure_}) &&
+  const Real slow = part.slow * rate_for_speed(block, lists_.movers);
+  return -u > lasts + std::max({slow, part.unsure, speed_rounding(block, lists_.movers), unsure_}) &&
          gap_now(k) + u * part.length <= 0;
 }
 

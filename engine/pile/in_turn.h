@@ -17,6 +17,7 @@ class InTurn {
   struct Part {
     Real length;  ///< h [s].
     Real slow;    ///< Speeds up to this are no impact [m/s].
+    Real unsure;  ///< Nor are rates of blocks up to this, the error of the last solution [m/s, rad/s].
     bool stops;
     bool dull;  ///< Also of a group in which nothing bounces.
   };

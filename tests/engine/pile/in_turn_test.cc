@@ -103,6 +103,23 @@ Model onto_one_that_burns() {
   return model;
 }
 
+// An arm of 100 m lies on its stop; the rate at which a ball drives it there was compared with a speed, and the stop gave
+// nothing back.
+Model long_arm_on_its_stop() {
+  Model model = pile_model(Real(0.5), 0, false);
+  add_box(model, 1000, {50, Real(0.5), Real(0.5)}, {50, 0, 0});
+  add_ball(model, 30, Real(0.5), {60, 0, Real(1.1)}, {0, 0, Real(-1.5)});
+  Joint hinge{.type = joint_types::hinge, .body = 0, .anchor = {-50, 0, 0}};
+  hinge.axis = hinge.to_axis = Vector3::UnitY();
+  model.joints.push_back(hinge);
+  CoordinateLaw law;
+  law.at.kind = Coordinate::Kind::angle, law.at.anchor = hinge.anchor, law.at.axis = Vector3::UnitY();
+  law.at.zero = law.at.mark = Vector3::UnitX();
+  law.upper = 0, law.restitution = Real(0.5);
+  model.forces.coordinate_laws.push_back(law);
+  return model;
+}
+
 const std::vector<Scene> scenes = {
     {"flat on one that rests", false, 0.12, [] { return flat_on_one_that_rests(0); }},
     {"flat on one that rests, rough", false, 0.12, [] { return flat_on_one_that_rests(Real(0.4)); }},
@@ -116,6 +133,7 @@ const std::vector<Scene> scenes = {
     {"free, on a joint", false, 0.23, free_on_a_joint},
     {"onto one that burns, with drag", false, 0.12, onto_one_that_burns},
     {"two on one that rests", true, 0.13, two_on_one_that_rests},
+    {"a long arm on its stop", false, 0.2, long_arm_on_its_stop},
 };
 
 bool tells(const Stepper& stepper, DiagnosticKind kind) {
