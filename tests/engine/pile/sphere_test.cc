@@ -1,5 +1,6 @@
 // Piles of spheres: impacts, friction, resting, penetration, and bits that do not depend on threads.
 #include "engine/pile/sphere_pile.h"
+#include "tests/engine/fixtures.h"
 #include "tests/engine/pile/pile_fixtures.h"
 #include "tests/engine/same_bits.h"
 
