@@ -383,7 +383,7 @@ std::vector<MaskedRow> faults_of_the_scene() {
        claims_to_be("lie-trotter", [](Terms& terms) { terms.order = 2; })},
       {"impacts at the end of a step",
        "said to be located",
-       "bouncing",
+       "box_edge",
        "position follows",
        {.setup =
             [](Setup& s) {
