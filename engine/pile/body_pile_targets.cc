@@ -27,7 +27,7 @@ void BodyPile::set_targets(Time now, Real span, Real h) {
     if (!block.is_one_sided()) continue;
     const bool stop = block.kind == Block::Kind::stop;
     const Real gap = stop ? gap_of_stop(block) : block.gap + block.normal.dot(offset(block, motions_));
-    // Of the middle of the part before, where the axis of a stop had turned half as far.
+    // Of a stop the rate in the middle of the last part, where its axis had turned half as far.
     Real u = block.normal.dot(block.before);
     if (stop && block.past.known) u = (u + block.past.normal.dot(block.past.u)) / 2;
     const bool meets = u < 0 && gap + u * h <= 0;

@@ -314,9 +314,9 @@ void SpherePile::drift(Real h, bool again) {
   };
   constexpr Real same = 16 * epsilon;
   for (std::size_t i = 0; i < count; ++i) {
-    const Row now = velocity[2 * i], change = now - before[2 * i];
+    const Row now = velocity[2 * i], then = before[2 * i], change = now - then;
     Row smooth = change;
-    if (squared(change - hs * kick[2 * i]) > same * same * squared(now)) {
+    if (squared(change - hs * kick[2 * i]) > same * same * (squared(now) + squared(then))) {
       const auto& [normal, most] = smooth_[i];
       smooth = change <= most && change >= -most ? change : Row{};
       const Row along = smooth * normal;

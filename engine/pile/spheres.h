@@ -35,12 +35,13 @@ struct Spheres {
 
   Real* v(int i) { return velocity.data() + velocity_stride * i; }
   const Real* v(int i) const { return velocity.data() + velocity_stride * i; }
-  /// Angular velocity [rad/s]; and what the forces add to a velocity row, per second.
+  /// What the forces add to a velocity row, per second.
+  const Real* g(int i) const { return kick.data() + velocity_stride * i; }
+  /// Angular velocity [rad/s].
   Vector3 spin(int i) const {
     const auto k = static_cast<std::size_t>(i);
     return Eigen::Map<const Vector3>(v(i) + 4) * inverse_radius[k] + free_spin[k];
   }
-  const Real* g(int i) const { return kick.data() + velocity_stride * i; }
   Real* p(int i) { return place.data() + place_stride * i; }
   const Real* p(int i) const { return place.data() + place_stride * i; }
 };

@@ -6,6 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+#include <utility>
+
 namespace cylon::engine {
 namespace {
 
@@ -81,15 +85,33 @@ TEST(PileSphere, BouncesAreThoseOfFreeFall) {
     }
 }
 
-// The same on a locked ball, where gravity turns the direction in which they meet.
-TEST(PileSphere, BouncesOffALockedBallAreThoseOfFreeFall) {
+// Flights of 2.3 steps, which pass their highest point in most of them.  What is met a little early, and what is taken to be
+// pressed as it hardly moves, cost 4 % in 1 s.
+TEST(PileSphere, LowBouncesKeepTheEnergy) {
+  Model model = pile_model(1, 0);
+  add_ball(model, 1, Real(0.1), Vector3(0, Real(0.101), 0));
+  const auto stepper = make_pile(model, 0.0125);
+  const double start = mechanical_energy(model, model.motions);
+  for (int k = 0; k < 800; ++k)
+    EXPECT_NEAR(mechanical_energy(model, after(*stepper, 1)), start, 1e5 * static_cast<double>(eps)) << k;
+}
+
+// The same on a locked ball, where gravity turns the direction in which they meet, and of two balls that fall at different
+// rates.
+TEST(PileSphere, BouncesOffOtherBallsAreThoseOfFreeFall) {
   Model model = pile_model(Real(0.8), Real(0.25));
+  add_ball(model, Real(0.4), Real(0.3), Vector3(Real(0.9), Real(3.1), 0), Vector3(Real(-0.3), -1, 0),
+           Vector3(-3, 0, 5));
+  model.bodies[0].gravity = Vector3(Real(0.5), -14, Real(0.3));
   add_ball(model, 1, Real(0.5), Vector3(Real(0.2), Real(2.5), 0), Vector3(Real(0.1), Real(-0.3), Real(0.2)),
            Vector3(2, 1, -9));
   add_body(model, make_body(1, Matrix3::Identity(), true), Sphere{Real(0.4)},
            Vector3(Real(0.3), Real(0.4), Real(0.1)));
   const Outcome exact = run(model, with("auto", 0.01), 80);
-  ASSERT_GE(exact.impacts.size(), 1u);
+  std::set<std::pair<int, int>> met;
+  for (const Impact& impact : exact.impacts)
+    if (impact.other != fixed_world) met.insert(std::minmax(impact.body, impact.other));
+  EXPECT_EQ(met.size(), 2u) << "both kinds of meetings";
   for (const int steps : {48, 800, 8000}) {
     Options options = with("auto", 0.8 / steps);
     options.path = "stepping";
@@ -140,7 +162,8 @@ TEST(PileSphere, RestsOnOthersWithinTheSlop) {
 
 // Nothing feeds energy in but rounding, lifting what overlaps, and impulses of the part before that one sweep does not take
 // back at once: in the mean over heights of the drop less than a thousandth of the energy of the fall.  At one height it is
-// 2e-3, where the lowest layer lands early in a step; 1e-3 at one height alone was luck.
+// 2e-3, where the lowest layer lands early in a step; 1e-3 at one height alone was luck.  After 10 s all lie: at 5 s a ball may
+// still fall off the heap, and lands with 1e-5 of it.
 TEST(PileSphere, LosesEnergy) {
   constexpr int heights = 14;
   double sum = 0;
@@ -151,17 +174,17 @@ TEST(PileSphere, LosesEnergy) {
     std::vector<Motion> motions;
     const double start = mechanical_energy(model, model.motions);
     double lowest = start, worst = 0, worst_settled = 0;
-    for (int k = 0; k < 1200; ++k) {
+    for (int k = 0; k < 1800; ++k) {
       stepper->step();
       stepper->read(motions);
       const double now = mechanical_energy(model, motions);
       worst = std::max(worst, now - lowest);
-      if (k >= 600) worst_settled = std::max(worst_settled, now - lowest);
+      if (k >= 1200) worst_settled = std::max(worst_settled, now - lowest);
       lowest = std::min(lowest, now);
     }
     sum += worst / start;
     EXPECT_LT(worst, 2.5e-3 * start) << n;
-    EXPECT_LT(worst_settled, 1e-5 * start) << n;
+    EXPECT_LT(worst_settled, 2e-6 * start) << n;
     EXPECT_LT(lowest, 0.9 * start) << n;
   }
   EXPECT_LT(sum / heights, 1e-3);
