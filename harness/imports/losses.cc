@@ -53,8 +53,8 @@ constexpr std::array kinds = {
     LossKind{"assumed", left_out, "the format does not say it"},
     LossKind{"joined_contact", left_out, "bodies that a joint ties do not touch each other in a scene"},
     LossKind{"name", left_out,
-             "names of a scene are unique, are not 'world', and have no quotes, commas, * and ?; a joint has "
-             "one"},
+             "imported names are unique, are not 'world', which the formats have for themselves, and have no "
+             "quotes, commas, * and ?; a joint has one"},
     // ---- Would move otherwise ----------------------------------------------------------------------------
     LossKind{
         "armature", refused,

@@ -92,6 +92,13 @@ std::vector<Row> joint_rows(const Builder&, const std::vector<Motion>&);
 /// Rows of which the sum is the acceleration q'' of a coordinate with a rotor, which pulls against it by rotor q''.
 std::vector<Row> rotor_rows(const Builder&, const std::vector<Motion>&);
 
+/// Nodes of the lower triangle of J M^-1 J^T, row by row.
+std::vector<int> products(const Builder&, const std::vector<Row>&);
+
+/// C rows, with parameters C, lower triangular: the same equations.  Where C J M^-1 J^T C^T is nearly 1 their elimination
+/// does not multiply what a series leaves out, which it does a millionfold of a loop's rows as they come.
+std::vector<Row> combined(const Builder&, const std::vector<Row>&, std::vector<int>& parameters);
+
 /// x := x - M^-1 J^T (J M^-1 J^T + D)^-1 (J x + rest), on accelerations, or, at the start and without rest, on
 /// velocities; D = 1/rotor on the diagonal of rows that have one, else 0.
 void solve_joints(const Builder&, const std::vector<Row>&, std::vector<Vector>& linear,

@@ -1,9 +1,11 @@
 #include "reference/certified/flow.h"
 
 #include <fmt/format.h>
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace cylon::certified {
 namespace {
@@ -23,6 +25,7 @@ class Flow {
         centre_(model.graph, order_, effort.bits),
         tails_(model.graph, order_),
         variation_(model.graph, tangent_order(order_)),
+        gram_(model.gram.graph, 0, effort.bits),
         set_(model.initial),
         path_(MatrixXd::Identity(dimension(), dimension())) {
     // Starts of steps are multiples of a power of two, so that they and the steps are exact.
@@ -44,8 +47,29 @@ class Flow {
  private:
   Index dimension() const { return static_cast<Index>(model_.initial.size()); }
 
+  // C with C gram C^T = 1 about the centre, to rounding; 1 where rounding leaves no such.
+  void combine(double time) {
+    if (model_.combinations.empty()) return;
+    gram_.expand(time, std::span(set_.centre).first(model_.gram.graph.states().size()));
+    const auto n = static_cast<Index>(std::sqrt(2.0 * static_cast<double>(model_.gram.entries.size())));
+    MatrixXd gram(n, n);
+    auto entry = model_.gram.entries.begin();
+    for (Index i = 0; i < n; ++i)
+      for (Index j = 0; j <= i; ++j)
+        gram(i, j) = gram(j, i) = arf_get_d(arb_midref(gram_[*entry++]), ARF_RND_NEAR);
+    MatrixXd c = MatrixXd::Identity(n, n);
+    if (const Eigen::LLT<MatrixXd> factors(gram); factors.info() == Eigen::Success)
+      factors.matrixL().solveInPlace(c);
+    if (!c.allFinite()) c.setIdentity();
+    auto parameter = model_.combinations.begin();
+    for (Index i = 0; i < n; ++i)
+      for (Index j = 0; j <= i; ++j, ++parameter)
+        centre_.choose(*parameter, c(i, j)), variation_.choose(*parameter, c(i, j));
+  }
+
   // Expands about `time` and finds a step over which everything is proven.
   double step(double time) {
+    combine(time);
     centre_.expand(time, set_.centre);
     for (std::size_t i = 0; i < model_.graph.size(); ++i) {
       const int node = static_cast<int>(i);
@@ -130,6 +154,7 @@ class Flow {
   Series centre_;
   Tails tails_;
   Variation variation_;
+  Series gram_;
   Enclosure set_;
   MatrixXd path_;
   double quantum_ = 0, end_ = 0;

@@ -23,6 +23,9 @@ int Graph::constant(const Ball& value) {
   return place->second;
 }
 
+// Of the kind of what depends on time, so that it is not folded.
+int Graph::parameter() { return make(Op::parameter, -1, -1, Kind::timed); }
+
 int Graph::time() {
   const auto [place, fresh] = known_.try_emplace({Op::time, -1, -1}, 0);
   if (fresh) place->second = make(Op::time, -1, -1, Kind::timed);
@@ -72,10 +75,10 @@ int Graph::subtract(int a, int b) {
   return binary(Op::subtract, a, b);
 }
 
-// A constant factor stands first.
+// A constant factor stands first, then a parameter.
 int Graph::multiply(int a, int b) {
-  if (kind(b) == Kind::fixed && kind(a) != Kind::fixed) std::swap(a, b);
-  if (kind(a) != Kind::fixed && a > b) std::swap(a, b);
+  const auto rank = [&](int node) { return std::tuple(kind(node) != Kind::fixed, !steady(node)); };
+  if (rank(b) < rank(a) || (rank(a) == rank(b) && kind(a) != Kind::fixed && a > b)) std::swap(a, b);
   if (is(a, 0) || is(b, 0)) return constant(0.0);
   if (is(a, 1)) return b;
   return binary(Op::multiply, a, b);

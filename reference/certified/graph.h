@@ -12,7 +12,7 @@
 
 namespace cylon::certified {
 
-enum class Op { constant, time, cosine, state, add, subtract, multiply, divide, root };
+enum class Op { constant, parameter, time, cosine, state, add, subtract, multiply, divide, root };
 
 /// What a node depends on; each kind takes in those before it.
 enum class Kind { fixed, timed, moving };
@@ -31,6 +31,8 @@ class Graph {
 
   int constant(const Ball&);
   int constant(double exact) { return constant(Ball(exact)); }
+  /// A number that whoever expands the graph chooses anew for each series, whatever it is: results do not depend on it.
+  int parameter();
   int time();
   int cosine(const Ball& frequency);  ///< cos(frequency t) [rad/s].
   int state();                        ///< The next state variable.
@@ -50,10 +52,13 @@ class Graph {
   const Ball& value(int node) const { return values_[static_cast<std::size_t>(node)]; }
   const std::vector<int>& states() const { return states_; }
   bool is(int node, double value) const;
+  /// Whether a node is one number all along a series.
+  bool steady(int node) const { return kind(node) == Kind::fixed || op(node) == Op::parameter; }
 
  private:
   int make(Op, int a, int b, Kind, const Ball& value = Ball());
   int fold(Op, int a, int b);
+  Op op(int node) const { return nodes_[static_cast<std::size_t>(node)].op; }
   Kind kind(int node) const { return nodes_[static_cast<std::size_t>(node)].kind; }
   bool fixed(int a, int b) const { return kind(a) == Kind::fixed && kind(b) == Kind::fixed; }
   int binary(Op, int a, int b);

@@ -3,6 +3,8 @@
 #include "reference/certified/angle.h"
 #include "reference/certified/builder.h"
 
+#include <algorithm>
+
 namespace cylon::certified {
 namespace {
 
@@ -295,6 +297,20 @@ Expr overlap(const Builder& b, const Row& x, const std::vector<Row::Part>& y) {
   return sum;
 }
 
+// y + k x
+void add(Row& y, Expr k, const Row& x) {
+  y.rest = y.rest + k * x.rest;
+  for (const Row::Part& part : x.parts) {
+    const auto same = std::ranges::find(y.parts, part.body, &Row::Part::body);
+    if (same == y.parts.end()) {
+      y.parts.push_back({part.body, k * part.linear, k * part.angular});
+    } else {
+      same->linear = same->linear + k * part.linear;
+      same->angular = same->angular + k * part.angular;
+    }
+  }
+}
+
 // Solves A x = y, A symmetric positive definite: A = L D L^T without roots.
 std::vector<Expr> solve(const Builder& b, std::vector<std::vector<Expr>> a, std::vector<Expr> y) {
   const std::size_t n = y.size();
@@ -325,6 +341,29 @@ std::vector<Row> joint_rows(const Builder& b, const std::vector<Motion>& now) {
   for (std::size_t i = 0; i < b.scene.joints.size(); ++i) rows.add(static_cast<int>(i));
   for (Row& row : rows.rows) use_pins(b, now, row);
   return rows.rows;
+}
+
+std::vector<int> products(const Builder& b, const std::vector<Row>& rows) {
+  std::vector<int> result;
+  std::vector<std::vector<Row::Part>> relief;
+  for (const Row& row : rows) {
+    relief.emplace_back();
+    for (const Row::Part& part : row.parts) relief.back().push_back(relieved(b, part));
+    for (const auto& other : relief) result.push_back(overlap(b, row, other).node);
+  }
+  return result;
+}
+
+std::vector<Row> combined(const Builder& b, const std::vector<Row>& rows, std::vector<int>& parameters) {
+  std::vector<Row> result;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    result.push_back({{}, b.exact(0)});
+    for (std::size_t j = 0; j <= i; ++j) {
+      parameters.push_back(b.graph.parameter());
+      add(result.back(), {&b.graph, parameters.back()}, rows[j]);
+    }
+  }
+  return result;
 }
 
 std::vector<Row> rotor_rows(const Builder& b, const std::vector<Motion>& now) {

@@ -221,6 +221,24 @@ std::array<Expr, 4> quaternion_rate(const Builder& b, const Motion& m) {
           w * h[2] + x * h[1] - y * h[0]};
 }
 
+void start(Builder& b) {
+  for (std::size_t i = 0; i < b.scene.bodies.size(); ++i) {
+    freeze(b, i);
+    b.start.push_back(motion_at_start(b, i));
+    pin_at_start(b, i);
+  }
+  make_consistent(b);
+}
+
+Gram gram_of(const Scene& scene, slong bits, const Numbers& numbers) {
+  Gram gram(bits);
+  Builder b{scene, gram.graph, numbers, {}, {}};
+  start(b);
+  std::vector<Ball> initial;
+  gram.entries = products(b, joint_rows(b, moving(b, initial)));
+  return gram;
+}
+
 template <std::size_t N>
 std::array<int, N> nodes(const std::array<Expr, N>& values) {
   std::array<int, N> result;
@@ -250,14 +268,9 @@ Matrix rotation(const std::array<Expr, 4>& q) {
 
 Model make_model(const Scene& scene, double horizon, slong bits, const Numbers& numbers, Blows blows) {
   check_domain(scene, horizon, blows);
-  Model model{Graph(bits), {}, {}, {}};
+  Model model{Graph(bits), {}, {}, {}, Gram(bits), {}};
   Builder b{scene, model.graph, numbers, {}, {}};
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    freeze(b, i);
-    b.start.push_back(motion_at_start(b, i));
-    pin_at_start(b, i);
-  }
-  make_consistent(b);
+  start(b);
   if (std::ranges::all_of(b.bodies, &Frozen::locked)) refuse("no body moves");
   std::vector<Motion> motions = moving(b, model.initial);
   add_forces(b, motions);
@@ -268,6 +281,11 @@ Model make_model(const Scene& scene, double horizon, slong bits, const Numbers& 
   std::vector<Vector> linear, angular;
   for (const Motion& m : motions) linear.push_back(m.acceleration), angular.push_back(m.turning);
   std::vector<Row> rows = joint_rows(b, motions);
+  constexpr std::size_t few = 3;  // of one point: as they come they are as good, and cheaper
+  if (rows.size() > few) {
+    model.gram = gram_of(scene, bits, numbers);
+    rows = combined(b, rows, model.combinations);
+  }
   for (Row& row : rotor_rows(b, motions)) rows.push_back(std::move(row));
   solve_joints(b, rows, linear, angular, true);
 

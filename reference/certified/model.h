@@ -35,11 +35,21 @@ struct Contact {
 /// Whether blows between smooth arcs are described (Model::contacts) or refused.
 enum class Blows { refused, described };
 
+/// J M^-1 J^T of the equations of joints, from which their combinations are chosen.
+struct Gram {
+  explicit Gram(slong bits) : graph(bits) {}
+  Graph graph;               ///< Of the same states in the same order as the model's, or the first of them.
+  std::vector<int> entries;  ///< Of the lower triangle, row by row.
+};
+
 struct Model {
   Graph graph;
   std::vector<Ball> initial;      ///< One per state variable.
   std::vector<BodyNodes> bodies;  ///< In the order of the scene.
   std::vector<Contact> contacts;
+  Gram gram;  ///< Empty where the equations are few.
+  std::vector<int>
+      combinations;  ///< Parameters C, lower triangular, row by row; best so that C gram C^T = 1.
 };
 
 /// Newton's and Euler's equations of a scene: p' = v, m v' = F, q' = q w/2, I w' = torque - w x I w with w in

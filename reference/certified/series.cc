@@ -11,7 +11,7 @@ Series::Series(const Graph& graph, int order, slong bits)
   for (std::size_t i = 0; i < graph.size(); ++i) {
     const int node = static_cast<int>(i);
     if (graph[i].op == Op::constant) arb_set(row(node), graph.value(node).get());
-    if (graph[i].op != Op::constant && graph[i].op != Op::state) active_.push_back(node);
+    if (graph[i].op > Op::parameter && graph[i].op != Op::state) active_.push_back(node);
   }
 }
 
@@ -22,10 +22,10 @@ Series::~Series() { _arb_vec_clear(coefficients_, static_cast<slong>(graph_.size
 void Series::next(int i, int k) {
   const Node& node = graph_[static_cast<std::size_t>(i)];
   arb_ptr c = row(i);
-  const arb_srcptr a = node.op == Op::time || node.op == Op::cosine ? nullptr : row(node.a),
-                   b = node.b < 0 ? nullptr : row(node.b);
+  const arb_srcptr a = node.op < Op::add ? nullptr : row(node.a), b = node.b < 0 ? nullptr : row(node.b);
   switch (node.op) {
     case Op::constant:
+    case Op::parameter:
     case Op::state:
       return;
     case Op::time:
@@ -48,8 +48,7 @@ void Series::next(int i, int k) {
     case Op::subtract:
       return arb_sub(c + k, a + k, b + k, bits_);
     case Op::multiply:
-      if (graph_[static_cast<std::size_t>(node.a)].kind == Kind::fixed)
-        return arb_mul(c + k, a, b + k, bits_);
+      if (graph_.steady(node.a)) return arb_mul(c + k, a, b + k, bits_);
       return arb_dot(c + k, nullptr, 0, a, 1, b + k, -1, k + 1, bits_);
     case Op::divide:
       if (k > 0) arb_dot(c + k, a + k, 1, b + 1, 1, c + k - 1, -1, k, bits_);

@@ -15,6 +15,9 @@ class Series {
   Series(const Series&) = delete;
   Series& operator=(const Series&) = delete;
 
+  /// A parameter's value in the series that follow.
+  void choose(int parameter, double value) { arb_set_d(row(parameter), value); }
+
   /// About `time` [s], from the states there: the series of the solution through each point of the balls.
   void expand(double time, std::span<const Ball> states);
 

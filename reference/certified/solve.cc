@@ -32,8 +32,9 @@ Sampled sample(const Model& model, double t, const std::function<Ball(int)>& val
 class Journey {
  public:
   Journey(const core::Scene& scene, std::span<const double> times, const Effort& effort,
-          const Numbers& numbers)
+          const Numbers& numbers, const Watch& watch)
       : times_(times),
+        watch_(watch),
         effort_(effort),
         // A body alone that nothing moves has no state; a positive horizon keeps even that a solution.
         horizon_(times.back() > 0 ? times.back() : 1e-3),
@@ -88,6 +89,7 @@ class Journey {
                                    impact ? "a blow" : "the end of a step"));
       add_sample(step, t, past);
     }
+    watch_({begin_.middle() + step.start + end.middle(), result_.steps, effort_.bits});
     if (impact && !done()) strike(step, *impact);
     return !impact && !done();
   }
@@ -131,6 +133,7 @@ class Journey {
   }
 
   std::span<const double> times_;
+  const Watch& watch_;
   Effort effort_;
   double horizon_;
   Model model_;
@@ -176,7 +179,7 @@ bool Attempts::next(double radius) {
 }
 
 Certificate certify(const core::Scene& scene, std::span<const double> times, const Goal& goal,
-                    const Numbers& numbers) {
+                    const Numbers& numbers, const Watch& watch) {
   Attempts attempts(goal);
   Certificate best;
   best.radius = std::numeric_limits<double>::infinity();
@@ -185,7 +188,7 @@ Certificate certify(const core::Scene& scene, std::span<const double> times, con
   do {
     radius = std::numeric_limits<double>::infinity();
     try {
-      Certificate found = Journey(scene, times, attempts.effort(), numbers).run();
+      Certificate found = Journey(scene, times, attempts.effort(), numbers, watch).run();
       radius = found.radius;
       if (radius < best.radius) best = std::move(found);
     } catch (const Stuck& error) {

@@ -45,12 +45,21 @@ struct Certificate {
   int steps = 0;
 };
 
+/// How far an attempt is; every number is anew with the next one, which is more precise.
+struct Reached {
+  double time = 0;  ///< [s]
+  int steps = 0;
+  slong bits = 0;
+};
+using Watch = std::function<void(const Reached&)>;
+
 /// Step errors and precision start from the goal and tighten until it is reached or `most_bits` would be
 /// passed. `times` ascend within [0, horizon of double].  Throws core::OutOfDomain as make_model with
 /// Blows::described does, and where the solution cannot be continued to the last time.  After each blow the
-/// state is a box anew.
-Certificate certify(const core::Scene&, std::span<const double> times, const Goal& = {},
-                    const Numbers& = exactly);
+/// state is a box anew.  `watch` is called after each step.
+Certificate certify(
+    const core::Scene&, std::span<const double> times, const Goal& = {}, const Numbers& = exactly,
+    const Watch& watch = [](const Reached&) {});
 
 /// The efforts to try one after another; each gets the radius that the last one reached, infinite at first or
 /// where it was stuck.

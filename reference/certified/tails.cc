@@ -49,8 +49,7 @@ void Tails::scale(double h) {
       for (int k = 1; k <= order_ + 1; ++k) bound = above(bound * x / k);
       beyond_[i] = bound;
     }
-    if (node.op == Op::multiply && graph_[static_cast<std::size_t>(node.a)].kind != Kind::fixed)
-      beyond_[i] = beyond(scaled(node.a), from(node.b));
+    if (node.op == Op::multiply && !graph_.steady(node.a)) beyond_[i] = beyond(scaled(node.a), from(node.b));
     if (node.op == Op::divide) beyond_[i] = beyond(scaled(node.b), from(c));
     if (node.op == Op::root) beyond_[i] = beyond(scaled(c), from(c));
   }
@@ -65,6 +64,7 @@ bool Tails::spread() {
     const double a = leaf ? 0 : rest(node.a), b = leaf ? 0 : rest(node.b);
     switch (node.op) {
       case Op::constant:
+      case Op::parameter:
       case Op::state:
       case Op::time:
         break;

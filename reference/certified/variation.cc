@@ -41,7 +41,7 @@ Variation::Variation(const Graph& graph, int order)
     if (graph[i].op == Op::constant) {
       const Near x = near(graph.value(node));
       *value(node).middle = x.middle, *value(node).radius = x.radius;
-    } else if (graph[i].op != Op::state) {
+    } else if (graph[i].op != Op::state && graph[i].op != Op::parameter) {
       active_.push_back(node);
       if (graph[i].kind == Kind::moving) moving_.push_back(node);
     }
@@ -59,6 +59,7 @@ void Variation::next(int i, int k) {
   Near result;
   switch (node.op) {
     case Op::constant:
+    case Op::parameter:
     case Op::state:
       return;
     case Op::time:
@@ -74,7 +75,7 @@ void Variation::next(int i, int k) {
       result = sum.result();
       break;
     case Op::multiply: {
-      const bool scaled = graph_[static_cast<std::size_t>(node.a)].kind == Kind::fixed;
+      const bool scaled = graph_.steady(node.a);
       sum.add(1, a.middle, a.radius, b.middle, b.radius, k, 0, scaled ? 0 : k);
       result = sum.result();
       break;
@@ -103,11 +104,12 @@ void Variation::next_slope(int i, int d, int k) {
   const Field s = slope(i, d), da = slope(node.a, d), db = slope(node.b, d);
   const bool a_moves = graph_[static_cast<std::size_t>(node.a)].kind == Kind::moving,
              b_moves = graph_[static_cast<std::size_t>(node.b)].kind == Kind::moving,
-             a_fixed = graph_[static_cast<std::size_t>(node.a)].kind == Kind::fixed;
+             a_fixed = graph_.steady(node.a);
   Sum sum;
   Near result;
   switch (node.op) {
     case Op::constant:
+    case Op::parameter:
     case Op::time:
     case Op::cosine:
     case Op::state:
@@ -202,7 +204,7 @@ void Variation::scale(int d) {
   }
   for (const int i : moving_) {
     const Node& node = graph_[static_cast<std::size_t>(i)];
-    const bool linear = graph_[static_cast<std::size_t>(node.a)].kind == Kind::fixed;
+    const bool linear = graph_.steady(node.a);
     double& sum = beyond_[static_cast<std::size_t>(i)];
     sum = 0;
     if (node.op == Op::multiply && !linear)
@@ -224,6 +226,7 @@ void Variation::spread(int d) {
     const auto whole = [&](int n) { return tails_.size(n) + tails_.rest(n); };
     switch (node.op) {
       case Op::constant:
+      case Op::parameter:
       case Op::time:
       case Op::cosine:
       case Op::state:

@@ -19,6 +19,9 @@ class Variation {
  public:
   Variation(const Graph&, int order);
 
+  /// A parameter's value in the series that follow.
+  void choose(int parameter, double value) { *this->value(parameter).middle = value; }
+
   /// Series about `time` through all points of the box at once.
   void expand(double time, std::span<const Near> box);
 

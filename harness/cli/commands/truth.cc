@@ -167,9 +167,21 @@ int truth(const Context& context, Options options) {
   const scenario::Scenario scenario = scenario::read(find_scenario(context, options.file));
   const std::vector<double> times = times_of(options, scenario.duration);
   Certificate found;
+  const auto show = [&](const certified::Reached& reached) {
+    if (context.progress)
+      std::cerr << fmt::format("\r{}: {:.4g} of {:.4g} s, {} steps, {} bits\x1b[K", plain_line(scenario.name),
+                               reached.time, times.back(), reached.steps, reached.bits)
+                << std::flush;
+  };
+  const auto clear = [&] {
+    if (context.progress) std::cerr << "\r\x1b[K" << std::flush;
+  };
   try {
-    found = certified::certify(scenario.scene, times, {options.radius, options.bits});
+    found =
+        certified::certify(scenario.scene, times, {options.radius, options.bits}, certified::exactly, show);
+    clear();
   } catch (const core::OutOfDomain& error) {
+    clear();
     throw core::InputError(fmt::format("{}: {}", scenario.name, error.what()));
   }
   if (options.conditioning && !found.impacts.empty())
