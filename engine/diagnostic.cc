@@ -123,6 +123,10 @@ const std::array<DiagnosticRow, static_cast<std::size_t>(DiagnosticKind::count)>
      "in {count} steps, from t = {since} s on, a gimbal came close to parallel axes, where its angles are "
      "singular: the angle between the axes changed by up to {reached} rad, more than half its distance from "
      "parallel, and the motion after that is not reliable"},
+    {K::gimbal_parallel, "gimbal-parallel", "", "rad",
+     "from t = {since} s on the motion is not a number: the axes of a gimbal become parallel, which they "
+     "lacked {reached} rad "
+     "of before, and there its angles have no values and what acts on them grows without bound"},
     {K::stiff, "stiff", "parts", "",
      "steps are divided into up to {limit} parts: {cause} is too stiff for longer ones"},
     {K::unstable, "unstable", "s", "",

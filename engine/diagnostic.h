@@ -57,6 +57,7 @@ enum class DiagnosticKind {
   joints_drifted,
   joint_forces_implicit,
   gimbal_passed,
+  gimbal_parallel,
   stiff,
   unstable,
   solved_at_once,

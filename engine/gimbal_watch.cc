@@ -33,10 +33,14 @@ GimbalWatch::GimbalWatch(const Model& model) {
 
 Real GimbalWatch::look(const std::vector<Motion>& motions) {
   Real most = 0;
+  lost_.reset();
   for (Gimbal& gimbal : gimbals_) {
     const Real before = gimbal.angle;
     gimbal.angle = between_axes(gimbal.at, motions);
     const Real change = std::abs(gimbal.angle - before);
+    // What moves on as before is there within a step, or little more as what acts grows.
+    if (std::isnan(gimbal.angle) && from_parallel(before) <= 2 * gimbal.change) lost_ = from_parallel(before);
+    gimbal.change = change;
     if (2 * change > std::min(from_parallel(before), from_parallel(gimbal.angle)))
       most = std::max(most, change);
   }

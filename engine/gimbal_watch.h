@@ -3,6 +3,7 @@
 
 #include "engine/model.h"
 
+#include <optional>
 #include <vector>
 
 namespace cylon::engine {
@@ -20,12 +21,17 @@ class GimbalWatch {
   /// the step did not resolve [rad]; 0 where there is none.
   Real look(const std::vector<Motion>&);
 
+  /// How far from parallel axes were that the last look found heading there, and that are not numbers now [rad].
+  std::optional<Real> lost() const { return lost_; }
+
  private:
   struct Gimbal {
     Coordinate at;
-    Real angle;  // between its axes [rad]
+    Real angle;       // between its axes [rad]
+    Real change = 0;  // of it in the last step
   };
   std::vector<Gimbal> gimbals_;  // one of each law
+  std::optional<Real> lost_;
 };
 
 }  // namespace cylon::engine

@@ -58,10 +58,13 @@ void Run::step() {
   watch_gimbals();
 }
 
-// Adaptive integrators shorten their steps near parallel axes, or stop there.
+// Adaptive integrators shorten their steps near parallel axes.
 void Run::watch_gimbals() {
-  if (!gimbals_.sees_any() || (plan_.integrator && plan_.integrator->kind == Kind::adaptive)) return;
+  if (!gimbals_.sees_any()) return;
   const Real change = gimbals_.look(motions_);
+  if (const auto lost = gimbals_.lost())
+    log_.note(DiagnosticKind::gimbal_parallel, time(), {}, static_cast<double>(*lost));
+  if (plan_.integrator && plan_.integrator->kind == Kind::adaptive) return;
   if (change > 0) log_.note(DiagnosticKind::gimbal_passed, time(), {}, static_cast<double>(change));
 }
 

@@ -98,6 +98,13 @@ Diagnostics said_by_a_run_of_auto(K kind) {
   return stepper.diagnostics();
 }
 
+// A damper keeps the first angle, so that the axes of the gimbal meet.
+Model through_parallel() {
+  Model model = gimbal_towards_parallel(true, 3, 0, 0);
+  model.forces.coordinate_laws[0].damping = 50;
+  return model;
+}
+
 struct Provoked {
   K kind;
   double end;  ///< Of the run [s].
@@ -199,6 +206,7 @@ const std::vector<Provoked> provoked = {
      [] { return said(with_rail_and_damper(ball_over_plane(5, 0), 1e4), on("stepping", 0.01), 2); }},
     {K::gimbal_passed, 1,
      [] { return said(gimbal_towards_parallel(true, 3, Real(0.2), Real(0.3)), with("rk4", 0.1), 10); }},
+    {K::gimbal_parallel, 3, [] { return said(through_parallel(), with("auto", 0.1), 30); }},
     {K::stiff, 0.02, [] { return said(with_drag(ball_over_plane(5, 0), 210), on("stepping", 0.01), 2); }},
     {K::unstable, 0.02,
      [] { return said(with_drag(ball_over_plane(5, 0), Real(7e8)), on("stepping", 0.01), 2); }},
