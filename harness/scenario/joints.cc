@@ -30,16 +30,25 @@ double speed_at(const core::Scene& scene, int body, const Vector3& point) {
   return s.velocity.norm() + s.angular_velocity.norm() * (point - s.position).norm();
 }
 
-// What rounding makes of the fastest motion of a scene: as little of any other is no speed.
+// What rounding makes of the fastest motion of a scene: as little of any other is no speed.  A turn moves what is a radius
+// of gyration away, and a speed is as much of a turn there.
 constexpr double rounding = 1e-14;
+double gyration(const core::Body& body) {
+  return body.mass > 0 ? std::sqrt(body.inertia.trace() / (2 * body.mass)) : 0;
+}
 double fastest(const core::Scene& scene) {
   double most = 0;
-  for (const core::Body& body : scene.bodies) most = std::max(most, body.initial.velocity.norm());
+  for (const core::Body& body : scene.bodies)
+    most =
+        std::max(most, body.initial.velocity.norm() + gyration(body) * body.initial.angular_velocity.norm());
   return most;
 }
 double fastest_spin(const core::Scene& scene) {
   double most = 0;
-  for (const core::Body& body : scene.bodies) most = std::max(most, body.initial.angular_velocity.norm());
+  for (const core::Body& body : scene.bodies) {
+    const double radius = gyration(body), speed = radius > 0 ? body.initial.velocity.norm() / radius : 0;
+    most = std::max(most, body.initial.angular_velocity.norm() + speed);
+  }
   return most;
 }
 

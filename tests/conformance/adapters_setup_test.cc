@@ -167,8 +167,7 @@ TEST(Setup, TimeRunsForward) {
 // values; and a worker that has had them all keeps none of them.
 TEST(Setup, EverythingOfferedIsTaken) {
   const core::Scene scene = three_bodies(72);
-  const process::KeptWorkers
-      kept;  // one for each engine, as a process of Node starts for longer than it runs
+  const process::KeptWorkers kept;  // those in Node take longer to start than to answer
   for (const Subject& subject : subjects_here()) {
     const process::EngineChoice plain = subject.choice();
     const core::Engine engine = process::describe(plain, limits);

@@ -283,6 +283,7 @@ std::vector<Refusal> refusals() {
 }
 
 TEST(Unsupported, EveryReasonIsASentence) {
+  const process::KeptWorkers kept;  // those in Node take longer to start than to answer
   for (const Refusal& refusal : refusals()) {
     process::RunRequest request;
     request.scene = &refusal.scene;
@@ -302,6 +303,7 @@ TEST(Unsupported, EveryReasonIsASentence) {
 
 // The other side: what is refused only where it matters is taken where it does not.
 TEST(Unsupported, IgnoresIrrelevantFeatures) {
+  const process::KeptWorkers kept;  // those in Node take longer to start than to answer
   const core::Scene untouched = with(resting(core::Box{{0.1, 0.2, 0.3}}), [](core::Scene& s) {
     s.bodies[0].collide = false;    // a box that touches nothing
     s.materials[0].friction = 0.3;  // of a pair that never is

@@ -186,6 +186,22 @@ TEST(Joints, VelocitiesMustBeAllowed) {
   EXPECT_NE(refusal(residue).find("breaks the universal"), std::string::npos);
 }
 
+// A spin of 1e-18 rad/s beside a speed, or a speed beside a spin, was the whole scale of what is rounding, and refused.
+TEST(Joints, RoundingOfSpinsIsMeasuredBySpeedsToo) {
+  const auto moving = [](const std::string& type, const std::string& motion) {
+    return "duration = 1\nstep = 0.01\n[[body]]\nname = \"a\"\nmass = 1\ninertia = [1, 2, 1.5]\n" + motion +
+           fmt::format("[[joint]]\ntype = \"{}\"\nbody = \"a\"\npoint = [0, 0, 0]\n{}", type, along);
+  };
+  const std::string fast = "velocity = [0, 0, 0.4]\nangular_velocity = [{}, 0, 0]\n";
+  EXPECT_EQ(refusal(moving("slider", fmt::format(fmt::runtime(fast), 3e-18))), "accepted");
+  EXPECT_NE(refusal(moving("slider", fmt::format(fmt::runtime(fast), 3e-10))).find("breaks the slider"),
+            std::string::npos);
+  const std::string turning = "velocity = [{}, 0, 0]\nangular_velocity = [0, 0, 2]\n";
+  EXPECT_EQ(refusal(moving("hinge", fmt::format(fmt::runtime(turning), 3e-18))), "accepted");
+  EXPECT_NE(refusal(moving("hinge", fmt::format(fmt::runtime(turning), 3e-10))).find("breaks the hinge"),
+            std::string::npos);
+}
+
 TEST(Joints, ClaimsNameThem) {
   const std::string claim =
       "[[claim]]\nconserves = \"joint_angle\"\njoint = \"{}\"\ntolerance = {{ absolute = 1e-6, reason = "
