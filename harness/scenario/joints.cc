@@ -31,24 +31,24 @@ double speed_at(const core::Scene& scene, int body, const Vector3& point) {
 }
 
 // What rounding makes of the fastest motion of a scene: as little of any other is no speed.  A turn moves what is a radius
-// of gyration away, and a speed is as much of a turn there.
+// of gyration away; a speed is as much of a turn as it is at the largest such radius, so that a needle loosens no other.
 constexpr double rounding = 1e-14;
 double gyration(const core::Body& body) {
   return body.mass > 0 ? std::sqrt(body.inertia.trace() / (2 * body.mass)) : 0;
 }
-double fastest(const core::Scene& scene) {
-  double most = 0;
-  for (const core::Body& body : scene.bodies)
-    most =
-        std::max(most, body.initial.velocity.norm() + gyration(body) * body.initial.angular_velocity.norm());
-  return most;
-}
-double fastest_spin(const core::Scene& scene) {
-  double most = 0;
+struct Fastest {
+  double speed = 0, spin = 0;  // [m/s], [rad/s]
+};
+Fastest fastest(const core::Scene& scene) {
+  Fastest most;
+  double speed = 0, radius = 0;
   for (const core::Body& body : scene.bodies) {
-    const double radius = gyration(body), speed = radius > 0 ? body.initial.velocity.norm() / radius : 0;
-    most = std::max(most, body.initial.angular_velocity.norm() + speed);
+    const double v = body.initial.velocity.norm(), w = body.initial.angular_velocity.norm(),
+                 r = gyration(body);
+    speed = std::max(speed, v), radius = std::max(radius, r);
+    most.speed = std::max(most.speed, v + r * w), most.spin = std::max(most.spin, w);
   }
+  if (radius > 0) most.spin += speed / radius;
   return most;
 }
 
@@ -68,7 +68,8 @@ void check_velocity(const Table& t, Draft& draft, const core::Joint& joint, cons
   const Vector3& excess = forbidden.velocity;
   const double speeds = speed_at(draft.scene, joint.body, from) + speed_at(draft.scene, joint.to, end);
   const Vector3 consistent = s.velocity - excess;
-  if (excess.norm() > std::max(typed * speeds, rounding * fastest(draft.scene)))
+  const Fastest most = fastest(draft.scene);
+  if (excess.norm() > std::max(typed * speeds, rounding * most.speed))
     origin.fail("velocity", fmt::format("velocity = {} breaks the {} joint of '{}' by {} m/s; consistent: {}",
                                         written(s.velocity), t.text("type"), t.text("body"), excess.norm(),
                                         written(consistent)));
@@ -77,7 +78,7 @@ void check_velocity(const Table& t, Draft& draft, const core::Joint& joint, cons
 
   const Vector3& twist = forbidden.spin;
   const double spins = s.angular_velocity.norm() + spin_of(draft.scene, joint.to).norm();
-  if (twist.norm() > std::max(typed * spins, rounding * fastest_spin(draft.scene)))
+  if (twist.norm() > std::max(typed * spins, rounding * most.spin))
     origin.fail("angular_velocity",
                 fmt::format("angular_velocity = {} breaks the {} joint of '{}' by {} rad/s; consistent: {}",
                             written(s.angular_velocity), t.text("type"), t.text("body"), twist.norm(),

@@ -196,6 +196,11 @@ TEST(Joints, RoundingOfSpinsIsMeasuredBySpeedsToo) {
   EXPECT_EQ(refusal(moving("slider", fmt::format(fmt::runtime(fast), 3e-18))), "accepted");
   EXPECT_NE(refusal(moving("slider", fmt::format(fmt::runtime(fast), 3e-10))).find("breaks the slider"),
             std::string::npos);
+  // A needle beside it is no scale of its turns.
+  const std::string needle = "[[body]]\nname = \"b\"\nmass = 1\ninertia = [1e-20, 1e-20, 1e-20]\n";
+  EXPECT_NE(
+      refusal(moving("slider", fmt::format(fmt::runtime(fast), 3e-10)) + needle).find("breaks the slider"),
+      std::string::npos);
   const std::string turning = "velocity = [{}, 0, 0]\nangular_velocity = [0, 0, 2]\n";
   EXPECT_EQ(refusal(moving("hinge", fmt::format(fmt::runtime(turning), 3e-18))), "accepted");
   EXPECT_NE(refusal(moving("hinge", fmt::format(fmt::runtime(turning), 3e-10))).find("breaks the hinge"),
