@@ -5,6 +5,7 @@
 #include "harness/cli/commands/app.h"
 #include "harness/cli/options.h"
 #include "harness/cli/output.h"
+#include "harness/cli/progress.h"
 #include "harness/cli/provenance_now.h"
 #include "harness/cli/selection.h"
 #include "harness/cli/workers.h"
@@ -86,15 +87,14 @@ int run(const Context& context, Options options) {
     int searched = 0;
     advice.engines = study::advise(starts, settings, options.how, [&](const study::Setting& setting) {
       ++searched;
-      if (context.progress)
-        std::cerr << fmt::format("\r[{}/{}] {}\x1b[K", searched, settings.size(),
-                                 plain_line(setting.engine.id + " " + setting.integrator.name))
-                  << std::flush;
+      show_progress(context.progress,
+                    fmt::format("[{}/{}] {}", searched, settings.size(),
+                                plain_line(setting.engine.id + " " + setting.integrator.name)));
     });
     if (!options.no_features)
       advice.features = study::price_features(starts.front(), chosen(advice), settings, rows,
                                               options.how.rounds, options.how.limits);
-    if (context.progress) std::cerr << "\r\x1b[K" << std::flush;
+    show_progress(context.progress, "");
   }
   if (options.json != "-")
     std::cout << reports::advice_text(

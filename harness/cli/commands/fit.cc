@@ -7,6 +7,7 @@
 #include "harness/cli/identity_of.h"
 #include "harness/cli/options.h"
 #include "harness/cli/output.h"
+#include "harness/cli/progress.h"
 #include "harness/cli/resumed.h"
 #include "harness/cli/workers.h"
 #include "harness/core/input_error.h"
@@ -128,13 +129,13 @@ FitRow fitted(const Context& context, const Options& options, const measured::Ex
     std::size_t evaluations = 0;
     memory.found = [&, write = memory.found](const validation::Evaluation& one) {
       write(one);
-      if (++evaluations; context.progress)
-        std::cerr << fmt::format("\r{}: round {}, evaluation {}, -2 log L {:.3f} at {:.4g}\x1b[K", engine.id,
-                                 one.round, evaluations, one.deviance, fmt::join(one.values, " "))
-                  << std::flush;
+      ++evaluations;
+      show_progress(context.progress,
+                    fmt::format("{}: round {}, evaluation {}, -2 log L {:.3f} at {:.4g}", engine.id,
+                                one.round, evaluations, one.deviance, fmt::join(one.values, " ")));
     };
     row.fit = validation::fit(likelihood, memory);
-    if (context.progress) std::cerr << "\r\x1b[K" << std::flush;
+    show_progress(context.progress, "");
     if (!judge) return row;
     is_fitted = true;
     judge->renew(row.fit.values);
@@ -240,7 +241,7 @@ int fit(const Context& context, const Options& options) {
   if (!options.json.empty())
     write_whole(options.json, document.dump(1, ' ', true, ordered_json::error_handler_t::replace) + "\n");
   if (!whole) {
-    if (context.progress) std::cerr << "\r\x1b[K";
+    show_progress(context.progress, "");
     std::cerr << "interrupted: what is written holds the fits that are done; continue with the same command "
                  "and --resume in this "
                  "folder\n";

@@ -8,6 +8,7 @@
 #include "harness/cli/output.h"
 #include "harness/cli/part.h"
 #include "harness/cli/patterns.h"
+#include "harness/cli/progress.h"
 #include "harness/cli/workers.h"
 #include "harness/core/input_error.h"
 #include "harness/process/interruption.h"
@@ -86,9 +87,7 @@ struct Chase {
             &journal.of(question_of(engines[engine], source, options.timeout))};
   }
   int jobs() const { return worker_count(context, options.jobs); }
-  void progress(const std::string& text) const {
-    if (context.progress) std::cerr << fmt::format("\r{}\x1b[K", text) << std::flush;
-  }
+  void progress(const std::string& text) const { show_progress(context.progress, text); }
 };
 
 // Such an engine's rows depend on the order of scenes.

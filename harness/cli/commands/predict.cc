@@ -6,6 +6,7 @@
 #include "harness/cli/commands/fitted_values.h"
 #include "harness/cli/options.h"
 #include "harness/cli/output.h"
+#include "harness/cli/progress.h"
 #include "harness/cli/read_whole.h"
 #include "harness/cli/workers.h"
 #include "harness/core/input_error.h"
@@ -87,10 +88,10 @@ std::vector<Score> of_runs(const Context& context, const Options& options, const
       return one(task.experiment, runs[i], runner, options.band, fitted);
     });
     const std::scoped_lock lock(guard);
-    if (++done; context.progress)
-      std::cerr << fmt::format("\r{}: {} of {} runs\x1b[K", engine.id, done, runs.size()) << std::flush;
+    ++done;
+    show_progress(context.progress, fmt::format("{}: {} of {} runs", engine.id, done, runs.size()));
   });
-  if (context.progress) std::cerr << "\r\x1b[K" << std::flush;
+  show_progress(context.progress, "");
   return all;
 }
 
@@ -324,7 +325,7 @@ int predict(const Context& context, const Options& options) {
     write_whole(options.json, document.dump(1, ' ', true, ordered_json::error_handler_t::replace) + '\n');
   if (!options.html.empty()) write_page(options, document);
   if (!document.contains("interrupted")) return ok;
-  if (context.progress) std::cerr << "\r\x1b[K";
+  show_progress(context.progress, "");
   std::cerr << "interrupted: what is written holds the engines that are done\n";
   return interrupted;
 }

@@ -1,6 +1,7 @@
 #include "harness/cli/commands/run_cells.h"
 
 #include "harness/cli/command_line.h"
+#include "harness/cli/progress.h"
 #include "harness/results/duration.h"
 
 #include <fmt/format.h>
@@ -28,14 +29,11 @@ class Progress {
       std::cerr << plain_line(fmt::format("differs: {} on {} at {}", cell.scenario->name, cell.engine.id,
                                           results::step_in_words(cell.dt_text)))
                 << '\n';
-    std::cerr << fmt::format("\r[{}/{}] {}\x1b[K", finished_, total_,
-                             plain_line(cell.scenario->name + " on " + cell.engine.id))
-              << std::flush;
+    show_progress(on_, fmt::format("[{}/{}] {}", finished_, total_,
+                                   plain_line(cell.scenario->name + " on " + cell.engine.id)));
   }
 
-  void clear() const {
-    if (on_) std::cerr << "\r\x1b[K" << std::flush;
-  }
+  void clear() const { show_progress(on_, ""); }
 
  private:
   bool on_;

@@ -3,6 +3,7 @@
 #include "harness/cli/command_line.h"
 #include "harness/cli/farm.h"
 #include "harness/cli/output.h"
+#include "harness/cli/progress.h"
 #include "harness/cli/provenance_now.h"
 #include "harness/cli/resumed.h"
 #include "harness/cli/scenario_view.h"
@@ -30,19 +31,14 @@ namespace {
 class Progress {
  public:
   Progress(bool on, std::string scenario) : on_(on), scenario_(std::move(scenario)) {}
-  ~Progress() {
-    if (on_) std::cerr << "\r\x1b[K" << std::flush;
-  }
+  ~Progress() { show_progress(on_, ""); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   void operator()(const study::Setting& setting, const results::TradePoint& point, bool timing) {
     ++(timing ? timings_ : runs_);
-    if (on_)
-      std::cerr << '\r'
-                << plain_line(fmt::format("{}: {} runs, {} timings; {} {} at {}", scenario_, runs_, timings_,
-                                          setting.engine.id, setting.integrator.name,
-                                          results::step_in_words(point.dt_text)))
-                << "\x1b[K" << std::flush;
+    show_progress(on_, plain_line(fmt::format("{}: {} runs, {} timings; {} {} at {}", scenario_, runs_,
+                                              timings_, setting.engine.id, setting.integrator.name,
+                                              results::step_in_words(point.dt_text))));
   }
 
  private:

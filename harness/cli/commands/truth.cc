@@ -3,6 +3,7 @@
 #include "harness/cli/commands/app.h"
 #include "harness/cli/options.h"
 #include "harness/cli/output.h"
+#include "harness/cli/progress.h"
 #include "reference/certified/solve.h"
 
 #include "harness/core/input_error.h"
@@ -168,20 +169,16 @@ int truth(const Context& context, Options options) {
   const std::vector<double> times = times_of(options, scenario.duration);
   Certificate found;
   const auto show = [&](const certified::Reached& reached) {
-    if (context.progress)
-      std::cerr << fmt::format("\r{}: {:.4g} of {:.4g} s, {} steps, {} bits\x1b[K", plain_line(scenario.name),
-                               reached.time, times.back(), reached.steps, reached.bits)
-                << std::flush;
-  };
-  const auto clear = [&] {
-    if (context.progress) std::cerr << "\r\x1b[K" << std::flush;
+    show_progress(context.progress,
+                  fmt::format("{}: {:.4g} of {:.4g} s, {} steps, {} bits", plain_line(scenario.name),
+                              reached.time, times.back(), reached.steps, reached.bits));
   };
   try {
     found =
         certified::certify(scenario.scene, times, {options.radius, options.bits}, certified::exactly, show);
-    clear();
+    show_progress(context.progress, "");
   } catch (const core::OutOfDomain& error) {
-    clear();
+    show_progress(context.progress, "");
     throw core::InputError(fmt::format("{}: {}", scenario.name, error.what()));
   }
   if (options.conditioning && !found.impacts.empty())
