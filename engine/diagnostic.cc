@@ -124,9 +124,9 @@ const std::array<DiagnosticRow, static_cast<std::size_t>(DiagnosticKind::count)>
      "singular: the angle between the axes changed by up to {reached} rad, more than half its distance from "
      "parallel, and the motion after that is not reliable"},
     {K::gimbal_parallel, "gimbal-parallel", "", "rad",
-     "from t = {since} s on the motion is not a number: the axes of a gimbal become parallel, which they "
-     "lacked {reached} rad "
-     "of before, and there its angles have no values and what acts on them grows without bound"},
+     "from t = {since} s on the motion is not a number: the axes of a gimbal become parallel, where its "
+     "angles have no values and what acts on them grows without bound; they were {reached} rad from that a "
+     "step before"},
     {K::stiff, "stiff", "parts", "",
      "steps are divided into up to {limit} parts: {cause} is too stiff for longer ones"},
     {K::unstable, "unstable", "s", "",

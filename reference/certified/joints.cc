@@ -297,6 +297,21 @@ Expr overlap(const Builder& b, const Row& x, const std::vector<Row::Part>& y) {
   return sum;
 }
 
+// M^-1 J^T, and the lower triangle of A = J M^-1 J^T.
+struct Products {
+  std::vector<std::vector<Row::Part>> relief;
+  std::vector<std::vector<Expr>> a;
+
+  Products(const Builder& b, const std::vector<Row>& rows) {
+    for (const Row& row : rows) {
+      relief.emplace_back();
+      for (const Row::Part& part : row.parts) relief.back().push_back(relieved(b, part));
+      a.emplace_back();
+      for (const auto& other : relief) a.back().push_back(overlap(b, row, other));
+    }
+  }
+};
+
 // y + k x
 void add(Row& y, Expr k, const Row& x) {
   y.rest = y.rest + k * x.rest;
@@ -345,12 +360,8 @@ std::vector<Row> joint_rows(const Builder& b, const std::vector<Motion>& now) {
 
 std::vector<int> products(const Builder& b, const std::vector<Row>& rows) {
   std::vector<int> result;
-  std::vector<std::vector<Row::Part>> relief;
-  for (const Row& row : rows) {
-    relief.emplace_back();
-    for (const Row::Part& part : row.parts) relief.back().push_back(relieved(b, part));
-    for (const auto& other : relief) result.push_back(overlap(b, row, other).node);
-  }
+  for (const auto& line : Products(b, rows).a)
+    for (const Expr x : line) result.push_back(x.node);
   return result;
 }
 
@@ -382,15 +393,11 @@ std::vector<Row> rotor_rows(const Builder& b, const std::vector<Motion>& now) {
 
 void solve_joints(const Builder& b, const std::vector<Row>& rows, std::vector<Vector>& linear,
                   std::vector<Vector>& angular, bool with_rest) {
-  std::vector<std::vector<Expr>> a;
-  std::vector<std::vector<Row::Part>> relief;
+  auto [relief, a] = Products(b, rows);
   std::vector<Expr> excess;
-  for (const Row& row : rows) {
-    relief.emplace_back();
-    for (const Row::Part& part : row.parts) relief.back().push_back(relieved(b, part));
-    a.emplace_back();
-    for (const auto& other : relief) a.back().push_back(overlap(b, row, other));
-    if (row.rotor != 0) a.back().back() = a.back().back() + b.exact(1) / b.number(row.rotor);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Row& row = rows[i];
+    if (row.rotor != 0) a[i][i] = a[i][i] + b.exact(1) / b.number(row.rotor);
     Expr sum = with_rest ? row.rest : b.exact(0);
     for (const Row::Part& part : row.parts)
       sum = sum + dot(part.linear, linear[part.body]) + dot(part.angular, angular[part.body]);
